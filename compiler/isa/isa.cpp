@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "isa/isa.hpp"
+
+#include <array>
+#include <bit>
+#include <cassert>
+
+namespace rung::isa {
+namespace {
+
+constexpr OpcodeInfo kOpcodes[] = {
+#define RUNG_LAYOUT(name, value)
+#define RUNG_OPCODE(id, name, code, mpu1, slot, format, clocks, gate) \
+  {Opcode::id, name, mpu1 != 0, slot != 0, Format::format, Clocks::clocks, Gate::gate},
+#define RUNG_PROCESSOR(name, value)
+#define RUNG_CONFIG(...)
+#include "isa_table.inc"
+};
+
+constexpr Config kConfigs[] = {
+#define RUNG_LAYOUT(name, value)
+#define RUNG_OPCODE(...)
+#define RUNG_PROCESSOR(name, value)
+#define RUNG_CONFIG(name, steps1, steps2, steps3, bits, words, mul, div) \
+  {#name, steps1, steps2, steps3, bits, words, mul, div},
+#include "isa_table.inc"
+};
+
+int address_bits(int count) {
+  return count <= 2 ? 1 : std::bit_width(static_cast<unsigned>(count - 1));
+}
+
+// Packs fields from bit 0 up, or takes them apart in the same order: the layout stands once.
+class Packer {
+ public:
+  explicit Packer(std::uint64_t bits, bool unpack) : bits_(bits), unpack_(unpack) {}
+
+  template <typename T>
+  void field(T& value, int width) {
+    const std::uint64_t mask = (std::uint64_t{1} << width) - 1;
+    if (unpack_) {
+      value = static_cast<T>(bits_ >> at_ & mask);
+    } else {
+      assert((static_cast<std::uint64_t>(value) & ~mask) == 0 && "field does not fit");
+      bits_ |= (static_cast<std::uint64_t>(value) & mask) << at_;
+    }
+    at_ += width;
+  }
+  void operand(BitOperand& operand, int width) {
+    field(operand.device, width);
+    field(operand.n0, 1);
+  }
+  std::uint64_t bits() const { return bits_; }
+
+ private:
+  std::uint64_t bits_;
+  bool unpack_;
+  int at_ = 0;
+};
+
+bool unconditional_bit(Opcode opcode) {
+  return info(opcode).format == Format::Bit && info(opcode).gate == Gate::Exc;
+}
+
+void body(Packer& packer, SlotInstruction& instruction, Mpu mpu, const Config& config) {
+  const int bit = address_bits(config.bit_devices);
+  const int word = address_bits(config.word_devices);
+  switch (info(instruction.opcode).format) {
+    case Format::None:
+      break;
+    case Format::Bit:
+      if (mpu == Mpu::Mpu1) {
+        packer.field(instruction.a.device, bit);
+        packer.field(instruction.always, 1);
+        break;
+      }
+      packer.operand(instruction.c, bit);
+      packer.operand(instruction.b, bit);
+      packer.operand(instruction.a, bit);
+      if (unconditional_bit(instruction.opcode)) {
+        packer.field(instruction.always, constant::row_bits);
+      } else {
+        packer.field(instruction.row, constant::row_bits);
+      }
+      break;
+    case Format::Word:
+      packer.field(instruction.source, constant::word_bits);
+      packer.field(instruction.rs, word);
+      packer.field(instruction.rd, word);
+      packer.field(instruction.kind, constant::kind_bits);
+      packer.field(instruction.always, 1);
+      break;
+  }
+}
+
+}  // namespace
+
+std::span<const OpcodeInfo> opcodes() { return kOpcodes; }
+
+const OpcodeInfo& info(Opcode opcode) {
+  static const auto by_code = [] {
+    std::array<const OpcodeInfo*, 1 << constant::op_bits> table{};
+    for (const OpcodeInfo& entry : kOpcodes) table[static_cast<std::size_t>(entry.opcode)] = &entry;
+    return table;
+  }();
+  const OpcodeInfo* entry = by_code[static_cast<std::size_t>(opcode)];
+  assert(entry != nullptr);
+  return *entry;
+}
+
+int slots(Mpu mpu) { return mpu == Mpu::Mpu3 ? 2 : 1; }
+
+int Config::steps(Mpu mpu) const {
+  switch (mpu) {
+    case Mpu::Mpu1:
+      return steps_mpu1;
+    case Mpu::Mpu2:
+      return steps_mpu2;
+    case Mpu::Mpu3:
+      return steps_mpu3;
+  }
+  return 0;
+}
+
+int Config::clocks(Opcode opcode) const {
+  switch (info(opcode).clocks) {
+    case Clocks::One:
+      return 1;
+    case Clocks::Mul:
+      return mul_latency + 1;
+    case Clocks::Div:
+      return div_latency + 1;
+  }
+  return 0;
+}
+
+std::span<const Config> configs() { return kConfigs; }
+
+const Config* find_config(std::string_view name) {
+  for (const Config& config : kConfigs) {
+    if (config.name == name) return &config;
+  }
+  return nullptr;
+}
+
+int slot_bits(Mpu mpu, const Config& config) {
+  const int bit = address_bits(config.bit_devices);
+  const int bit_format = mpu == Mpu::Mpu1 ? bit + 1 : constant::row_bits + 3 * (bit + 1);
+  const int word_format =
+      constant::word_bits + 2 * address_bits(config.word_devices) + constant::kind_bits + 1;
+  return constant::op_bits + std::max(bit_format, word_format);
+}
+
+std::uint64_t encode(const SlotInstruction& instruction, Mpu mpu, const Config& config) {
+  SlotInstruction copy = instruction;
+  Packer packer(0, false);
+  body(packer, copy, mpu, config);
+  const int top = slot_bits(mpu, config) - constant::op_bits;
+  return packer.bits() | static_cast<std::uint64_t>(instruction.opcode) << top;
+}
+
+std::optional<SlotInstruction> decode(std::uint64_t bits, Mpu mpu, const Config& config) {
+  const int top = slot_bits(mpu, config) - constant::op_bits;
+  const auto code = static_cast<std::size_t>(bits >> top);
+  for (const OpcodeInfo& entry : kOpcodes) {
+    if (static_cast<std::size_t>(entry.opcode) != code) continue;
+    if (!(mpu == Mpu::Mpu1 ? entry.on_mpu1 : entry.on_slot)) return std::nullopt;
+    SlotInstruction instruction;
+    instruction.opcode = entry.opcode;
+    Packer packer(bits & ((std::uint64_t{1} << top) - 1), true);
+    body(packer, instruction, mpu, config);
+    // A bit outside the fields, or a kind that does not exist, is not an instruction.
+    if (static_cast<int>(instruction.kind) > 2) return std::nullopt;
+    if (encode(instruction, mpu, config) != bits) return std::nullopt;
+    return instruction;
+  }
+  return std::nullopt;
+}
+
+std::uint8_t paper_row(int first, int second, int third) {
+  return static_cast<std::uint8_t>(first << 6 | second << 3 | third);
+}
+
+std::uint8_t paper_row_function(std::uint8_t row) {
+  const auto step = [](int code, bool exc, bool operand) {
+    switch (code) {
+      case 1:
+        return exc && operand;
+      case 2:
+        return exc && !operand;
+      case 3:
+        return exc || operand;
+      case 4:
+        return exc || !operand;
+      default:
+        return exc;
+    }
+  };
+  const int second = row >> 3 & 7;
+  const int third = row & 7;
+  if (second > 4 || third > 4) return 0;
+  std::uint8_t function = 0;
+  for (int address = 0; address < 8; ++address) {
+    const bool a = (address & 4) != 0;
+    bool exc = (row >> 6 & 1) != 0 ? !a : a;
+    exc = step(second, exc, (address & 2) != 0);
+    exc = step(third, exc, (address & 1) != 0);
+    if (exc) function = static_cast<std::uint8_t>(function | 1 << address);
+  }
+  return function;
+}
+
+}  // namespace rung::isa

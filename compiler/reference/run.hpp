@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// The reference as an engine that gives a trace.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "reference/reference.hpp"
+#include "trace/recorder.hpp"
+#include "trace/stimulus.hpp"
+
+namespace rung {
+
+class ReferenceRun {
+ public:
+  // `with_state`: each scan of the trace has the values of all devices that the program names.
+  // `program` must outlive this.
+  ReferenceRun(const Program& program, bool with_state);
+
+  // The first line of a trace of this run; `tick_us` is the time between two scans.
+  TraceHeader header(std::int64_t tick_us) const;
+  // Applies the events, runs one scan and gives what happened in it.
+  TraceScan scan(std::span<const StimulusEvent> events);
+
+  const Reference& reference() const { return reference_; }
+
+ private:
+  struct NamedDevice {
+    Device device;
+    std::string name;
+  };
+
+  const Program& program_;
+  Reference reference_;
+  TraceRecorder recorder_;
+  std::vector<NamedDevice> devices_;
+};
+
+}  // namespace rung

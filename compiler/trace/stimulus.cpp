@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "trace/stimulus.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <string_view>
+#include <utility>
+
+#include "rungs/devices.hpp"
+
+namespace rung {
+namespace {
+
+// So many scans take weeks; a larger number is a typing error.
+constexpr std::uint64_t kMostScans = 1'000'000'000'000;
+
+template <typename Number>
+std::optional<Number> whole_number(std::string_view text) {
+  Number value = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, failure] = std::from_chars(text.data(), end, value);
+  if (failure != std::errc() || stop != end) return std::nullopt;
+  return value;
+}
+
+// The event of a device's name and value, or what is wrong with them.
+struct CheckedEvent {
+  std::optional<StimulusEvent> event;
+  std::string what;
+  std::string mend;
+};
+
+CheckedEvent check_event(std::string_view name, std::string_view value, Dialect dialect) {
+  const std::optional<Device> device = parse_device_name(name, dialect);
+  if (!device) {
+    return {std::nullopt, fmt::format("{} is no device of dialect {}", name, dialect_name(dialect)),
+            "the stimulus of a list names X, Y, M and D devices in the list's number base"};
+  }
+  const bool word = is_word(*device);
+  const std::optional<int> number = whole_number<int>(value);
+  const int least = word ? INT16_MIN : 0;
+  const int most = word ? INT16_MAX : 1;
+  if (!number || *number < least || *number > most) {
+    return {
+        std::nullopt,
+        fmt::format("the value of {} is {}, not a number from {} to {}", name, value, least, most),
+        {}};
+  }
+  return {StimulusEvent{*device, static_cast<std::int16_t>(*number)}, {}, {}};
+}
+
+class LineReader {
+ public:
+  LineReader(const std::string& file, Dialect dialect, Diagnostics& diagnostics)
+      : file_(file), dialect_(dialect), diagnostics_(diagnostics) {}
+
+  void token(std::string_view text, SourcePosition position) {
+    if (text.front() == '_') return;
+    if (text.front() == '*') return repeat(text, position);
+    const std::size_t equals = text.find('=');
+    if (equals == std::string_view::npos || equals == 0) {
+      diagnostics_.error(file_, position, fmt::format("{} is no stimulus", text),
+                         "write X0=1 for an input, D5=7 for a preset, *10 for ten scans");
+      return;
+    }
+    CheckedEvent checked = check_event(text.substr(0, equals), text.substr(equals + 1), dialect_);
+    if (checked.event) {
+      events_.push_back(*checked.event);
+    } else {
+      diagnostics_.error(file_, position, std::move(checked.what), std::move(checked.mend));
+    }
+  }
+
+  void finish(Stimulus& stimulus) {
+    stimulus.append(std::exchange(events_, {}), std::exchange(count_, std::nullopt).value_or(1));
+  }
+
+ private:
+  void repeat(std::string_view text, SourcePosition position) {
+    const std::optional<std::uint64_t> count = whole_number<std::uint64_t>(text.substr(1));
+    if (!count || *count == 0 || *count > kMostScans) {
+      diagnostics_.error(file_, position, fmt::format("{} is no number of scans", text),
+                         fmt::format("write *1 to *{}", kMostScans));
+    } else if (count_) {
+      diagnostics_.error(file_, position, "this line has a number of scans already");
+    } else {
+      count_ = count;
+    }
+  }
+
+  const std::string& file_;
+  Dialect dialect_;
+  Diagnostics& diagnostics_;
+  std::vector<StimulusEvent> events_;
+  std::optional<std::uint64_t> count_;
+};
+
+}  // namespace
+
+std::span<const StimulusEvent> Stimulus::events(std::uint64_t scan) const {
+  const auto found =
+      std::lower_bound(lines_.begin(), lines_.end(), scan,
+                       [](const Line& line, std::uint64_t wanted) { return line.first < wanted; });
+  if (found == lines_.end() || found->first != scan) return {};
+  return found->events;
+}
+
+void Stimulus::append(std::vector<StimulusEvent> events, std::uint64_t count) {
+  if (!events.empty()) lines_.push_back({scans_, std::move(events)});
+  scans_ += count;
+}
+
+std::optional<Stimulus> parse_stimulus(const SourceText& source, Dialect dialect,
+                                       Diagnostics& diagnostics) {
+  const int errors_before = diagnostics.error_count();
+  Stimulus stimulus;
+  LineReader reader(source.file, dialect, diagnostics);
+  for (std::size_t n = 0; n < source.lines.size(); ++n) {
+    const std::u32string_view line = source.lines[n];
+    std::size_t i = 0;
+    while ((i = line.find_first_not_of(U" \t", i)) != std::u32string_view::npos) {
+      const std::size_t end = std::min(line.find_first_of(U" \t", i), line.size());
+      reader.token(to_utf8(line.substr(i, end - i)),
+                   {static_cast<int>(n) + 1, static_cast<int>(i) + 1});
+      i = end;
+    }
+    reader.finish(stimulus);
+  }
+  if (diagnostics.error_count() > errors_before) return std::nullopt;
+  return stimulus;
+}
+
+std::optional<Stimulus> stimulus_of(const Trace& trace, Dialect dialect, const std::string& file,
+                                    Diagnostics& diagnostics) {
+  const int errors_before = diagnostics.error_count();
+  Stimulus stimulus;
+  for (const TraceScan& scan : trace.scans) {
+    const SourcePosition position{scan.line, 1};
+    if (!scan.rx.empty()) {
+      diagnostics.error(file, position, "it gives received bytes (RX), which a list does not read");
+    }
+    std::vector<StimulusEvent> events;
+    for (const TraceValue& each : scan.in) {
+      CheckedEvent checked = check_event(each.device, fmt::to_string(each.value), dialect);
+      if (checked.event) {
+        events.push_back(*checked.event);
+      } else {
+        diagnostics.error(file, position, std::move(checked.what), std::move(checked.mend));
+      }
+    }
+    stimulus.append(std::move(events));
+  }
+  if (diagnostics.error_count() > errors_before) return std::nullopt;
+  return stimulus;
+}
+
+}  // namespace rung

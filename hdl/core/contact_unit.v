@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+// The bit side of MPU1 (paper, 4.2): one contact or coil a clock, with one operand `a` that is
+// read or written, the accumulator exc, a block stack (LD, LDI push; ANB, ORB pop) and a branch
+// stack (MPS, MRD, MPP).
+`default_nettype none
+`include "rung_isa.vh"
+
+module contact_unit #(
+    parameter BIT_ADDR   = 10,  // bits of a bit device's number
+    parameter FIELD_BITS = 43,  // bits of one slot's instruction below its opcode
+    parameter WORD_ADDR  = 8
+) (
+    input  wire                     clk_i,
+    input  wire                     scan_start_i,
+    // ID1: opcode as issued, and the instruction's fields below it
+    input  wire [`RUNG_OP_BITS-1:0] d1_op_i,
+    input  wire [   FIELD_BITS-1:0] d1_fields_i,
+    output wire [     BIT_ADDR-1:0] d1_addr_o,
+    // ID2: memory data
+    input  wire                     d2_bank_i,
+    // the devices that are written: steps in ID2, in EX, and the one before
+    output wire [     BIT_ADDR-1:0] d2_dest_o,
+    output wire [     BIT_ADDR-1:0] x_dest_o,
+    input  wire                     w_we_i,
+    input  wire                     w_value_i,
+    // EX: the write, and exc before and after
+    output wire                     x_we_o,
+    output wire                     x_value_o,
+    output wire                     x_exc_o,
+    output wire                     x_exc_next_o
+);
+
+  localparam LOOKUP = 0;
+  `include "fields.vh"
+  localparam BLOCKS = `RUNG_BLOCK_STACK;
+  localparam BRANCHES = `RUNG_BRANCH_STACK;
+
+  // ---- ID1 -------------------------------------------------------------------------------------
+  wire d1_u = d1_fields_i[BIT_U_AT];
+  assign d1_addr_o = d1_fields_i[A_AT+:BIT_ADDR];
+
+  // ---- ID2: decode -----------------------------------------------------------------------------
+  reg [`RUNG_OP_BITS-1:0] d2_op_q;
+  reg d2_u_q;
+  reg [BIT_ADDR-1:0] d2_dest_q;
+  always @(posedge clk_i) begin
+    d2_op_q   <= d1_op_i;
+    d2_u_q    <= d1_u;
+    d2_dest_q <= d1_addr_o;
+  end
+  assign d2_dest_o = d2_dest_q;
+
+  wire d2_block = d2_op_q == `RUNG_OP_ANB || d2_op_q == `RUNG_OP_ORB;
+  wire d2_branch = d2_op_q == `RUNG_OP_MRD || d2_op_q == `RUNG_OP_MPP;
+  wire d2_invert = d2_op_q == `RUNG_OP_LDI || d2_op_q == `RUNG_OP_ANI || d2_op_q == `RUNG_OP_ORI;
+  wire d2_push_block = d2_op_q == `RUNG_OP_LD || d2_op_q == `RUNG_OP_LDI;
+  wire d2_and = d2_op_q == `RUNG_OP_AND || d2_op_q == `RUNG_OP_ANI || d2_op_q == `RUNG_OP_ANB;
+  wire d2_or = d2_op_q == `RUNG_OP_OR || d2_op_q == `RUNG_OP_ORI || d2_op_q == `RUNG_OP_ORB;
+  wire d2_set = d2_op_q == `RUNG_OP_SET;
+  wire d2_rst = d2_op_q == `RUNG_OP_RST;
+
+  // ---- EX --------------------------------------------------------------------------------------
+  reg x_block_q, x_branch_q, x_invert_q, x_load_q, x_and_q, x_or_q;
+  reg x_push_block_q, x_push_branch_q, x_pop_branch_q;
+  reg x_out_q, x_set_q, x_gated_q, x_always_q;
+  reg [BIT_ADDR-1:0] x_dest_q;
+  reg exc_q;
+  reg [BLOCKS-1:0] block_q;
+  reg [BRANCHES-1:0] branch_q;
+  always @(posedge clk_i) begin
+    x_block_q <= d2_block;
+    x_branch_q <= d2_branch;
+    x_invert_q <= d2_invert;
+    x_load_q <= d2_push_block || d2_branch;
+    x_and_q <= d2_and;
+    x_or_q <= d2_or;
+    x_push_block_q <= d2_push_block;
+    x_push_branch_q <= d2_op_q == `RUNG_OP_MPS;
+    x_pop_branch_q <= d2_op_q == `RUNG_OP_MPP;
+    x_out_q <= d2_op_q == `RUNG_OP_OUT;
+    x_set_q <= d2_set;
+    x_gated_q <= (d2_set || d2_rst) && !d2_u_q;
+    x_always_q <= ((d2_set || d2_rst) && d2_u_q) || d2_op_q == `RUNG_OP_OUT;
+    x_dest_q <= d2_dest_q;
+  end
+  assign x_dest_o = x_dest_q;
+
+  wire x_device;
+  operand #(
+      .WIDTH(1),
+      .ADDR_BITS(BIT_ADDR),
+      .WRITERS(1)
+  ) operand (
+      .clk_i(clk_i),
+      .d1_addr_i(d1_addr_o),
+      .d2_dest_i(d2_dest_q),
+      .x_dest_i(x_dest_q),
+      .d2_bank_i(d2_bank_i),
+      .d2_device_i(1'b1),
+      .d2_other_i(1'b0),
+      .x_we_i(x_we_o),
+      .w_we_i(w_we_i),
+      .w_data_i(w_value_i),
+      .x_value_o(x_device)
+  );
+
+  reg  x_exc_next;
+  wire x_contact = x_block_q ? block_q[0] : x_branch_q ? branch_q[0] : x_device ^ x_invert_q;
+  always @* begin
+    x_exc_next = exc_q;
+    if (x_load_q) x_exc_next = x_contact;
+    if (x_and_q) x_exc_next = exc_q && x_contact;
+    if (x_or_q) x_exc_next = exc_q || x_contact;
+  end
+
+  // An instruction that writes no bit gives the operand, which is how the host reads a device.
+  assign x_we_o = x_always_q || (x_gated_q && exc_q);
+  assign x_value_o = x_out_q ? exc_q : x_gated_q || x_always_q ? x_set_q : x_device;
+  assign x_exc_o = exc_q;
+  assign x_exc_next_o = x_exc_next;
+
+  always @(posedge clk_i) begin
+    exc_q <= x_exc_next;
+    if (x_push_block_q) block_q <= {block_q[BLOCKS-2:0], exc_q};
+    if (x_block_q) block_q <= {1'b0, block_q[BLOCKS-1:1]};
+    if (x_push_branch_q) branch_q <= {branch_q[BRANCHES-2:0], exc_q};
+    if (x_pop_branch_q) branch_q <= {1'b0, branch_q[BRANCHES-1:1]};
+    if (scan_start_i) begin
+      exc_q <= 1'b0;
+      block_q <= {BLOCKS{1'b0}};
+      branch_q <= {BRANCHES{1'b0}};
+    end
+  end
+
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+// The bit side of one slot of MPU2 and MPU3 (paper, 4.3): three operands, one look-up, the
+// accumulator exc (also operand N0, the previous look-up's result), and the write of device c.
+// Every bit instruction is a look-up: LD, OUT, SET, RST and NOP look up "a" (with exc for `a` where
+// they need exc), SET and RST with u a constant 1; SET, RST, LUTS and LUTR write only if the result
+// is 1.
+`default_nettype none
+`include "rung_isa.vh"
+
+module look_up_unit #(
+    parameter SLOTS = 1,
+    parameter SLOT = 0,  // this one
+    parameter BIT_ADDR = 10,  // bits of a bit device's number
+    parameter FIELD_BITS = 43,  // bits of one slot's instruction below its opcode
+    parameter WORD_ADDR = 8
+) (
+    input  wire                      clk_i,
+    input  wire                      scan_start_i,
+    // ID1: opcode as issued, the instruction's fields below it; operand addresses, c lowest
+    input  wire [ `RUNG_OP_BITS-1:0] d1_op_i,
+    input  wire [    FIELD_BITS-1:0] d1_fields_i,
+    output wire [    3*BIT_ADDR-1:0] d1_addr_o,
+    output wire [`RUNG_ROW_BITS-1:0] d1_row_o,
+    // ID2: memory data, c lowest, and for each operand bank 0 lowest; the LUT's row
+    input  wire [       3*SLOTS-1:0] d2_bank_i,
+    input  wire [               7:0] d2_row_i,
+    // the devices that all slots write: steps in ID2, in EX, and the one before
+    output wire [      BIT_ADDR-1:0] d2_dest_o,
+    output wire [      BIT_ADDR-1:0] x_dest_o,
+    input  wire [SLOTS*BIT_ADDR-1:0] d2_dest_i,
+    input  wire [SLOTS*BIT_ADDR-1:0] x_dest_i,
+    input  wire [         SLOTS-1:0] x_we_i,
+    input  wire [         SLOTS-1:0] w_we_i,
+    input  wire [         SLOTS-1:0] w_value_i,
+    input  wire [         SLOTS-1:0] w_bank_i,
+    // EX: this slot's write (value, and what its bank gets), and exc before and after
+    output wire                      x_we_o,
+    output wire                      x_value_o,
+    output wire                      x_bank_o,
+    output wire                      x_exc_o,
+    output wire                      x_exc_next_o
+);
+
+  localparam LOOKUP = 1;
+  `include "fields.vh"
+
+  // ---- ID1: decode -----------------------------------------------------------------------------
+  wire [BIT_ADDR:0] d1_a = d1_fields_i[A_AT+:OPERAND_BITS];
+  wire [BIT_ADDR:0] d1_b = d1_fields_i[B_AT+:OPERAND_BITS];
+  wire [BIT_ADDR:0] d1_c = d1_fields_i[C_AT+:OPERAND_BITS];
+  wire d1_u = d1_fields_i[BIT_U_AT];
+  assign d1_row_o  = d1_fields_i[ROW_AT+:`RUNG_ROW_BITS];
+  assign d1_addr_o = {d1_a[BIT_ADDR-1:0], d1_b[BIT_ADDR-1:0], d1_c[BIT_ADDR-1:0]};
+
+  reg d1_use_row, d1_use_exc, d1_one, d1_exc_we, d1_we, d1_we_if_1, d1_clear;
+  always @* begin
+    d1_use_row = 1'b0;
+    d1_use_exc = 1'b0;
+    d1_one = 1'b0;
+    d1_exc_we = 1'b0;
+    d1_we = 1'b0;
+    d1_we_if_1 = 1'b0;
+    d1_clear = 1'b0;
+    case (d1_op_i)
+      `RUNG_OP_LUT, `RUNG_OP_LUTO, `RUNG_OP_LUTS, `RUNG_OP_LUTR: begin
+        d1_use_row = 1'b1;
+        d1_exc_we = 1'b1;
+        d1_we = d1_op_i == `RUNG_OP_LUTO;
+        d1_we_if_1 = d1_op_i == `RUNG_OP_LUTS || d1_op_i == `RUNG_OP_LUTR;
+        d1_clear = d1_op_i == `RUNG_OP_LUTR;
+      end
+      `RUNG_OP_LD: d1_exc_we = 1'b1;
+      `RUNG_OP_OUT: begin
+        d1_use_exc = 1'b1;
+        d1_we = 1'b1;
+      end
+      `RUNG_OP_SET, `RUNG_OP_RST: begin
+        d1_use_exc = 1'b1;
+        d1_one = d1_u;
+        d1_we_if_1 = 1'b1;
+        d1_clear = d1_op_i == `RUNG_OP_RST;
+      end
+      default: ;
+    endcase
+  end
+
+  // ---- ID2 -------------------------------------------------------------------------------------
+  reg d2_use_row_q, d2_one_q, d2_exc_we_q, d2_we_q, d2_we_if_1_q, d2_clear_q;
+  reg [2:0] d2_n0_q;
+  reg [BIT_ADDR-1:0] d2_dest_q;
+  always @(posedge clk_i) begin
+    d2_use_row_q <= d1_use_row;
+    d2_one_q <= d1_one;
+    d2_exc_we_q <= d1_exc_we;
+    d2_we_q <= d1_we;
+    d2_we_if_1_q <= d1_we_if_1;
+    d2_clear_q <= d1_clear;
+    d2_n0_q <= {d1_a[BIT_ADDR] || d1_use_exc, d1_b[BIT_ADDR], d1_c[BIT_ADDR]};
+    d2_dest_q <= d1_c[BIT_ADDR-1:0];
+  end
+  assign d2_dest_o = d2_dest_q;
+
+  // {a,b,c} = 1xx where an instruction that is no look-up gives 1
+  wire [7:0] d2_fixed = d2_use_row_q ? 8'h00 : {4'hF, {4{d2_one_q}}};
+
+  // ---- EX --------------------------------------------------------------------------------------
+  reg  [7:0] x_function_q;
+  reg x_exc_we_q, x_we_q, x_we_if_1_q, x_clear_q;
+  reg [2:0] x_n0_q;
+  reg [BIT_ADDR-1:0] x_dest_q;
+  reg exc_q;
+  always @(posedge clk_i) begin
+    x_function_q <= (d2_row_i & {8{d2_use_row_q}}) | d2_fixed;
+    x_exc_we_q <= d2_exc_we_q;
+    x_we_q <= d2_we_q;
+    x_we_if_1_q <= d2_we_if_1_q;
+    x_clear_q <= d2_clear_q;
+    x_n0_q <= d2_n0_q;
+    x_dest_q <= d2_dest_q;
+  end
+  assign x_dest_o = x_dest_q;
+
+  wire [2:0] x_device;
+  genvar i;
+  generate
+    for (i = 0; i < 3; i = i + 1) begin : g_operand
+      operand #(
+          .WIDTH(1),
+          .ADDR_BITS(BIT_ADDR),
+          .WRITERS(SLOTS)
+      ) operand (
+          .clk_i(clk_i),
+          .d1_addr_i(d1_addr_o[i*BIT_ADDR+:BIT_ADDR]),
+          .d2_dest_i(d2_dest_i),
+          .x_dest_i(x_dest_i),
+          .d2_bank_i(d2_bank_i[i*SLOTS+:SLOTS]),
+          .d2_device_i(!d2_n0_q[i]),
+          .d2_other_i(1'b0),
+          .x_we_i(x_we_i),
+          .w_we_i(w_we_i),
+          .w_data_i(w_value_i),
+          .x_value_o(x_device[i])
+      );
+    end
+  endgenerate
+
+  // What the other banks hold at device c.
+  wire [SLOTS-1:0] x_cross;
+  generate
+    for (i = 0; i < SLOTS; i = i + 1) begin : g_cross
+      if (i == SLOT) begin : g_own
+        assign x_cross[i] = 1'b0;
+        wire unused_own = w_bank_i[i];
+      end else begin : g_other
+        operand #(
+            .WIDTH(1),
+            .ADDR_BITS(BIT_ADDR),
+            .WRITERS(1)
+        ) operand (
+            .clk_i(clk_i),
+            .d1_addr_i(d1_addr_o[0+:BIT_ADDR]),
+            .d2_dest_i(d2_dest_i[i*BIT_ADDR+:BIT_ADDR]),
+            .x_dest_i(x_dest_i[i*BIT_ADDR+:BIT_ADDR]),
+            .d2_bank_i(d2_bank_i[i]),
+            .d2_device_i(1'b1),
+            .d2_other_i(1'b0),
+            .x_we_i(x_we_i[i]),
+            .w_we_i(w_we_i[i]),
+            .w_data_i(w_bank_i[i]),
+            .x_value_o(x_cross[i])
+        );
+      end
+    end
+  endgenerate
+
+  wire [2:0] x_operands = x_device | (x_n0_q & {3{exc_q}});
+  wire x_result = x_function_q[x_operands];
+
+  assign x_we_o = x_we_q || (x_we_if_1_q && x_result);
+  assign x_value_o = x_result && !x_clear_q;
+  assign x_bank_o = x_value_o ^ (^x_cross);
+  assign x_exc_o = exc_q;
+  assign x_exc_next_o = x_exc_we_q ? x_result : exc_q;
+
+  always @(posedge clk_i) begin
+    exc_q <= x_exc_next_o && !scan_start_i;
+  end
+
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: Apache-2.0
+// One slot: the bit side (look-up unit, or MPU1's contact unit), the word side, and the registers
+// after EX that forwarding reads. Every slot does every instruction of its processor and has its
+// own exc.
+`default_nettype none
+`include "rung_isa.vh"
+
+module slot #(
+    parameter LOOKUP = 1,  // 1: MPU2 and MPU3, 0: MPU1
+    parameter SLOTS = 1,
+    parameter SLOT = 0,  // this one
+    parameter READS = 3,  // bit operands
+    parameter BIT_ADDR = 10,  // bits of a bit device's number
+    parameter WORD_ADDR = 8,  // bits of a word device's number
+    parameter FIELD_BITS = 43,  // bits of one slot's instruction below its opcode
+    parameter MUL_DSP = 1
+) (
+    input  wire                               clk_i,
+    input  wire                               rst_ni,
+    input  wire                               scan_start_i,
+    // ID1: the instruction, and which pass of a waiting step this is
+    input  wire [            `RUNG_OP_BITS-1:0] d1_op_i,
+    input  wire [               FIELD_BITS-1:0] d1_fields_i,
+    input  wire                                 d1_first_i,
+    input  wire                                 d1_last_i,
+    output wire [           READS*BIT_ADDR-1:0] d1_bit_addr_o,
+    output wire [           `RUNG_ROW_BITS-1:0] d1_row_o,
+    output wire [              2*WORD_ADDR-1:0] d1_word_addr_o,
+    output wire [                WORD_ADDR-1:0] d1_word_dest_o,
+    // ID2: data of the LUT and of the device memories, in the order of the addresses
+    input  wire [                          7:0] d2_row_i,
+    input  wire [              READS*SLOTS-1:0] d2_bit_bank_i,
+    input  wire [2*SLOTS*`RUNG_WORD_BITS-1:0]   d2_word_bank_i,
+    input  wire [  SLOTS*`RUNG_WORD_BITS-1:0]   d2_word_cross_i,
+    // this slot's writes: devices named in ID2 and EX; enable, value, bank data in EX and after
+    output wire [                 BIT_ADDR-1:0] d2_bit_dest_o,
+    output wire [                 BIT_ADDR-1:0] x_bit_dest_o,
+    output wire                                 x_bit_we_o,
+    output wire                                 x_bit_bank_o,
+    output wire                                 w_bit_we_o,
+    output wire                                 w_bit_value_o,
+    output wire                                 w_bit_bank_o,
+    output wire [                WORD_ADDR-1:0] d2_word_dest_o,
+    output wire [                WORD_ADDR-1:0] x_word_dest_o,
+    output wire                                 x_word_we_o,
+    output wire [          `RUNG_WORD_BITS-1:0] x_word_bank_o,
+    output wire                                 w_word_we_o,
+    output wire [          `RUNG_WORD_BITS-1:0] w_word_value_o,
+    output wire [          `RUNG_WORD_BITS-1:0] w_word_bank_o,
+    // the writes of all slots, this one among them
+    input  wire [           SLOTS*BIT_ADDR-1:0] d2_bit_dest_i,
+    input  wire [           SLOTS*BIT_ADDR-1:0] x_bit_dest_i,
+    input  wire [                    SLOTS-1:0] x_bit_we_i,
+    input  wire [                    SLOTS-1:0] w_bit_we_i,
+    input  wire [                    SLOTS-1:0] w_bit_value_i,
+    input  wire [                    SLOTS-1:0] w_bit_bank_i,
+    input  wire [          SLOTS*WORD_ADDR-1:0] d2_word_dest_i,
+    input  wire [          SLOTS*WORD_ADDR-1:0] x_word_dest_i,
+    input  wire [                    SLOTS-1:0] x_word_we_i,
+    input  wire [                    SLOTS-1:0] w_word_we_i,
+    input  wire [    SLOTS*`RUNG_WORD_BITS-1:0] w_word_value_i,
+    input  wire [    SLOTS*`RUNG_WORD_BITS-1:0] w_word_bank_i,
+    // an executed division by 0, in the clock after its EX
+    output wire                                 w_div_by_0_o
+`ifdef RUNG_RETIRE
+    ,
+    output wire                                 x_exc_next_o,
+    output wire                                 x_bit_value_o,
+    output wire [          `RUNG_WORD_BITS-1:0] x_word_value_o
+`endif
+);
+
+  // ---- ID1: what this pass of the step issues --------------------------------------------------
+  wire d1_waits = d1_op_i == `RUNG_OP_MUL || d1_op_i == `RUNG_OP_DIV;
+  reg [`RUNG_OP_BITS-1:0] d1_op;
+  always @* begin
+    d1_op = `RUNG_OP_NOP;
+    if (d1_first_i) begin
+      d1_op = d1_op_i;
+      if (d1_op_i == `RUNG_OP_MUL) d1_op = `RUNG_OP_MULS;
+      if (d1_op_i == `RUNG_OP_DIV) d1_op = `RUNG_OP_DIVS;
+    end else if (d1_last_i && d1_waits) begin
+      d1_op = `RUNG_OP_MVL;
+    end
+  end
+
+  // ---- the bit side ----------------------------------------------------------------------------
+  wire x_exc;
+  wire x_bit_value;
+  wire x_exc_next;
+  generate
+    if (LOOKUP != 0) begin : g_look_up
+      look_up_unit #(
+          .SLOTS(SLOTS),
+          .SLOT(SLOT),
+          .BIT_ADDR(BIT_ADDR),
+          .WORD_ADDR(WORD_ADDR),
+          .FIELD_BITS(FIELD_BITS)
+      ) bits (
+          .clk_i(clk_i),
+          .scan_start_i(scan_start_i),
+          .d1_op_i(d1_op),
+          .d1_fields_i(d1_fields_i),
+          .d1_addr_o(d1_bit_addr_o),
+          .d1_row_o(d1_row_o),
+          .d2_bank_i(d2_bit_bank_i),
+          .d2_row_i(d2_row_i),
+          .d2_dest_o(d2_bit_dest_o),
+          .x_dest_o(x_bit_dest_o),
+          .d2_dest_i(d2_bit_dest_i),
+          .x_dest_i(x_bit_dest_i),
+          .x_we_i(x_bit_we_i),
+          .w_we_i(w_bit_we_i),
+          .w_value_i(w_bit_value_i),
+          .w_bank_i(w_bit_bank_i),
+          .x_we_o(x_bit_we_o),
+          .x_value_o(x_bit_value),
+          .x_bank_o(x_bit_bank_o),
+          .x_exc_o(x_exc),
+          .x_exc_next_o(x_exc_next)
+      );
+    end else begin : g_contact
+      contact_unit #(
+          .BIT_ADDR(BIT_ADDR),
+          .WORD_ADDR(WORD_ADDR),
+          .FIELD_BITS(FIELD_BITS)
+      ) bits (
+          .clk_i(clk_i),
+          .scan_start_i(scan_start_i),
+          .d1_op_i(d1_op),
+          .d1_fields_i(d1_fields_i),
+          .d1_addr_o(d1_bit_addr_o),
+          .d2_bank_i(d2_bit_bank_i),
+          .d2_dest_o(d2_bit_dest_o),
+          .x_dest_o(x_bit_dest_o),
+          .w_we_i(w_bit_we_i),
+          .w_value_i(w_bit_value_i),
+          .x_we_o(x_bit_we_o),
+          .x_value_o(x_bit_value),
+          .x_exc_o(x_exc),
+          .x_exc_next_o(x_exc_next)
+      );
+      assign d1_row_o = {`RUNG_ROW_BITS{1'b0}};
+      assign x_bit_bank_o = x_bit_value;
+      // One writer, whose values the unit has already; no LUT.
+      wire unused_writers = &{1'b0, d2_bit_dest_i, x_bit_dest_i, x_bit_we_i, w_bit_bank_i};
+      wire unused_row = &{1'b0, d2_row_i};
+    end
+  endgenerate
+
+  // ---- the word side ---------------------------------------------------------------------------
+  wire [`RUNG_WORD_BITS-1:0] x_word_value;
+  word_unit #(
+      .LOOKUP(LOOKUP),
+      .SLOTS(SLOTS),
+      .SLOT(SLOT),
+      .BIT_ADDR(BIT_ADDR),
+      .WORD_ADDR(WORD_ADDR),
+      .FIELD_BITS(FIELD_BITS),
+      .MUL_DSP(MUL_DSP)
+  ) words (
+      .clk_i(clk_i),
+      .rst_ni(rst_ni),
+      .scan_start_i(scan_start_i),
+      .d1_op_i(d1_op),
+      .d1_fields_i(d1_fields_i),
+      .d1_addr_o(d1_word_addr_o),
+      .d1_dest_o(d1_word_dest_o),
+      .d2_bank_i(d2_word_bank_i),
+      .d2_cross_i(d2_word_cross_i),
+      .d2_dest_o(d2_word_dest_o),
+      .x_dest_o(x_word_dest_o),
+      .d2_dest_i(d2_word_dest_i),
+      .x_dest_i(x_word_dest_i),
+      .x_we_i(x_word_we_i),
+      .w_we_i(w_word_we_i),
+      .w_value_i(w_word_value_i),
+      .w_bank_i(w_word_bank_i),
+      .x_exc_i(x_exc),
+      .x_we_o(x_word_we_o),
+      .x_value_o(x_word_value),
+      .x_bank_o(x_word_bank_o),
+      .w_div_by_0_o(w_div_by_0_o)
+  );
+
+  // ---- after EX: what forwarding and the host read ---------------------------------------------
+  reg w_bit_we_q, w_bit_value_q, w_bit_bank_q;
+  reg w_word_we_q;
+  reg [`RUNG_WORD_BITS-1:0] w_word_value_q;
+  reg [`RUNG_WORD_BITS-1:0] w_word_bank_q;
+  always @(posedge clk_i) begin
+    w_bit_we_q <= x_bit_we_o;
+    w_bit_value_q <= x_bit_value;
+    w_bit_bank_q <= x_bit_bank_o;
+    w_word_we_q <= x_word_we_o;
+    w_word_value_q <= x_word_value;
+    w_word_bank_q <= x_word_bank_o;
+  end
+  assign w_bit_we_o = w_bit_we_q;
+  assign w_bit_value_o = w_bit_value_q;
+  assign w_bit_bank_o = w_bit_bank_q;
+  assign w_word_we_o = w_word_we_q;
+  assign w_word_value_o = w_word_value_q;
+  assign w_word_bank_o = w_word_bank_q;
+
+`ifdef RUNG_RETIRE
+  assign x_exc_next_o   = x_exc_next;
+  assign x_bit_value_o  = x_bit_value;
+  assign x_word_value_o = x_word_value;
+`else
+  wire unused_exc_next = x_exc_next;
+`endif
+
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: Apache-2.0
+// The word side of one slot, alike in all three processors: two operands (device or constant), the
+// adder, the multiply-divide unit, and the write of device rd if exc, u or the unit allows it.
+`default_nettype none
+`include "rung_isa.vh"
+
+module word_unit #(
+    parameter LOOKUP = 1,  // 1: instruction layout of MPU2 and MPU3, 0: of MPU1
+    parameter SLOTS = 1,
+    parameter SLOT = 0,  // this one
+    parameter BIT_ADDR = 10,
+    parameter FIELD_BITS = 43,  // bits of one slot's instruction below its opcode
+    parameter WORD_ADDR = 8,  // bits of a word device's number
+    parameter MUL_DSP = 1
+) (
+    input  wire                               clk_i,
+    input  wire                               rst_ni,
+    input  wire                               scan_start_i,
+    // ID1: opcode as issued, the instruction's fields below it; operand addresses {s2, s1}
+    input  wire [          `RUNG_OP_BITS-1:0] d1_op_i,
+    input  wire [             FIELD_BITS-1:0] d1_fields_i,
+    output wire [            2*WORD_ADDR-1:0] d1_addr_o,
+    output wire [              WORD_ADDR-1:0] d1_dest_o,
+    // ID2: memory data of s1 (lower) and s2, bank 0 lowest; of rd, in the other banks
+    input  wire [2*SLOTS*`RUNG_WORD_BITS-1:0] d2_bank_i,
+    input  wire [  SLOTS*`RUNG_WORD_BITS-1:0] d2_cross_i,
+    // the devices that all slots write: steps in ID2, in EX, and the one before
+    output wire [              WORD_ADDR-1:0] d2_dest_o,
+    output wire [              WORD_ADDR-1:0] x_dest_o,
+    input  wire [        SLOTS*WORD_ADDR-1:0] d2_dest_i,
+    input  wire [        SLOTS*WORD_ADDR-1:0] x_dest_i,
+    input  wire [                  SLOTS-1:0] x_we_i,
+    input  wire [                  SLOTS-1:0] w_we_i,
+    input  wire [  SLOTS*`RUNG_WORD_BITS-1:0] w_value_i,
+    input  wire [  SLOTS*`RUNG_WORD_BITS-1:0] w_bank_i,
+    // EX: the slot's accumulator; the write (value, and what this slot's bank gets)
+    input  wire                               x_exc_i,
+    output wire                               x_we_o,
+    output wire [        `RUNG_WORD_BITS-1:0] x_value_o,
+    output wire [        `RUNG_WORD_BITS-1:0] x_bank_o,
+    // an executed division by 0, in the clock after its EX
+    output wire                               w_div_by_0_o
+);
+
+  `include "fields.vh"
+  localparam BITS = `RUNG_WORD_BITS;
+  localparam [1:0] CONSTANT_S2 = 2'd1;
+  localparam [1:0] CONSTANT_S1 = 2'd2;
+
+  // ---- ID1: decode -----------------------------------------------------------------------------
+  wire [BITS-1:0] d1_source = d1_fields_i[BITS-1:0];
+  wire [WORD_ADDR-1:0] d1_rs = d1_fields_i[RS_AT+:WORD_ADDR];
+  wire [WORD_ADDR-1:0] d1_rd = d1_fields_i[RD_AT+:WORD_ADDR];
+  wire [1:0] d1_kind = d1_fields_i[KIND_AT+:`RUNG_KIND_BITS];
+  wire d1_u = d1_fields_i[WORD_U_AT];
+  assign d1_addr_o = {d1_kind == CONSTANT_S1 ? d1_rs : d1_source[WORD_ADDR-1:0], d1_rs};
+  assign d1_dest_o = d1_rd;
+
+  reg d1_we, d1_collect, d1_high, d1_move, d1_subtract, d1_start, d1_div;
+  always @* begin
+    d1_we = 1'b0;
+    d1_collect = 1'b0;
+    d1_high = 1'b0;
+    d1_move = 1'b0;
+    d1_subtract = 1'b0;
+    d1_start = 1'b0;
+    d1_div = 1'b0;
+    case (d1_op_i)
+      `RUNG_OP_MV: begin
+        d1_we   = 1'b1;
+        d1_move = 1'b1;
+      end
+      `RUNG_OP_ADD: d1_we = 1'b1;
+      `RUNG_OP_SUB: begin
+        d1_we = 1'b1;
+        d1_subtract = 1'b1;
+      end
+      `RUNG_OP_MULS: d1_start = 1'b1;
+      `RUNG_OP_DIVS: begin
+        d1_start = 1'b1;
+        d1_div   = 1'b1;
+      end
+      `RUNG_OP_MVL, `RUNG_OP_MVH: begin
+        d1_move = 1'b1;
+        d1_collect = 1'b1;
+        d1_high = d1_op_i == `RUNG_OP_MVH;
+      end
+      default: ;
+    endcase
+  end
+
+  // ---- ID2 -------------------------------------------------------------------------------------
+  reg d2_we_q, d2_collect_q, d2_high_q, d2_subtract_q, d2_start_q, d2_div_q, d2_u_q;
+  reg d2_device1_q, d2_device2_q, d2_move_q;
+  reg [BITS-1:0] d2_source_q;
+  reg [WORD_ADDR-1:0] d2_dest_q;
+  always @(posedge clk_i) begin
+    d2_we_q <= d1_we;
+    d2_collect_q <= d1_collect;
+    d2_high_q <= d1_high;
+    d2_move_q <= d1_move;
+    d2_subtract_q <= d1_subtract;
+    d2_start_q <= d1_start;
+    d2_div_q <= d1_div;
+    d2_u_q <= d1_u;
+    d2_device1_q <= d1_kind != CONSTANT_S1 && !d1_move;
+    d2_device2_q <= d1_kind != CONSTANT_S2 && !d1_collect;
+    d2_source_q <= d1_source;
+    d2_dest_q <= d1_rd;
+  end
+  assign d2_dest_o = d2_dest_q;
+
+  wire [BITS-1:0] d2_unit;
+  wire d2_unit_valid;
+  wire [BITS-1:0] d2_other1 = d2_move_q ? {BITS{1'b0}} : d2_source_q;
+  wire [BITS-1:0] d2_other2 = d2_collect_q ? d2_unit : d2_source_q;
+
+  // ---- EX --------------------------------------------------------------------------------------
+  reg x_we_q, x_subtract_q, x_start_q, x_div_q, x_always_q;
+  reg [WORD_ADDR-1:0] x_dest_q;
+  always @(posedge clk_i) begin
+    x_we_q <= d2_we_q || (d2_collect_q && d2_unit_valid);
+    x_always_q <= d2_u_q || d2_collect_q;
+    x_subtract_q <= d2_subtract_q;
+    x_start_q <= d2_start_q;
+    x_div_q <= d2_div_q;
+    x_dest_q <= d2_dest_q;
+  end
+  assign x_dest_o = x_dest_q;
+
+  wire [BITS-1:0] x_s1;
+  operand #(
+      .WIDTH(BITS),
+      .ADDR_BITS(WORD_ADDR),
+      .WRITERS(SLOTS)
+  ) s1 (
+      .clk_i(clk_i),
+      .d1_addr_i(d1_addr_o[0+:WORD_ADDR]),
+      .d2_dest_i(d2_dest_i),
+      .x_dest_i(x_dest_i),
+      .d2_bank_i(d2_bank_i[0+:SLOTS*BITS]),
+      .d2_device_i(d2_device1_q),
+      .d2_other_i(d2_other1),
+      .x_we_i(x_we_i),
+      .w_we_i(w_we_i),
+      .w_data_i(w_value_i),
+      .x_value_o(x_s1)
+  );
+
+  wire [BITS-1:0] x_s2;
+  operand #(
+      .WIDTH(BITS),
+      .ADDR_BITS(WORD_ADDR),
+      .WRITERS(SLOTS)
+  ) s2 (
+      .clk_i(clk_i),
+      .d1_addr_i(d1_addr_o[WORD_ADDR+:WORD_ADDR]),
+      .d2_dest_i(d2_dest_i),
+      .x_dest_i(x_dest_i),
+      .d2_bank_i(d2_bank_i[SLOTS*BITS+:SLOTS*BITS]),
+      .d2_device_i(d2_device2_q),
+      .d2_other_i(d2_other2),
+      .x_we_i(x_we_i),
+      .w_we_i(w_we_i),
+      .w_data_i(w_value_i),
+      .x_value_o(x_s2)
+  );
+
+  // What the other banks hold at rd.
+  wire [SLOTS*BITS-1:0] x_cross;
+  genvar i;
+  generate
+    for (i = 0; i < SLOTS; i = i + 1) begin : g_cross
+      if (i == SLOT) begin : g_own
+        assign x_cross[i*BITS+:BITS] = {BITS{1'b0}};
+        wire unused_own = &{1'b0, d2_cross_i[i*BITS+:BITS], w_bank_i[i*BITS+:BITS]};
+      end else begin : g_other
+        operand #(
+            .WIDTH(BITS),
+            .ADDR_BITS(WORD_ADDR),
+            .WRITERS(1)
+        ) operand (
+            .clk_i(clk_i),
+            .d1_addr_i(d1_rd),
+            .d2_dest_i(d2_dest_i[i*WORD_ADDR+:WORD_ADDR]),
+            .x_dest_i(x_dest_i[i*WORD_ADDR+:WORD_ADDR]),
+            .d2_bank_i(d2_cross_i[i*BITS+:BITS]),
+            .d2_device_i(1'b1),
+            .d2_other_i({BITS{1'b0}}),
+            .x_we_i(x_we_i[i]),
+            .w_we_i(w_we_i[i]),
+            .w_data_i(w_bank_i[i*BITS+:BITS]),
+            .x_value_o(x_cross[i*BITS+:BITS])
+        );
+      end
+    end
+  endgenerate
+
+  wire [BITS-1:0] x_result;
+  alu alu (
+      .subtract_i(x_subtract_q),
+      .s1_i(x_s1),
+      .s2_i(x_s2),
+      .result_o(x_result)
+  );
+
+  reg [BITS-1:0] x_bank;
+  integer j;
+  always @* begin
+    x_bank = x_result;
+    for (j = 0; j < SLOTS; j = j + 1) x_bank = x_bank ^ x_cross[j*BITS+:BITS];
+  end
+
+  wire x_run = x_always_q || x_exc_i;
+  assign x_we_o = x_we_q && x_run;
+  assign x_value_o = x_result;
+  assign x_bank_o = x_bank;
+
+  muldiv #(
+      .MUL_DSP(MUL_DSP)
+  ) unit (
+      .clk_i(clk_i),
+      .rst_ni(rst_ni),
+      .scan_start_i(scan_start_i),
+      .x_start_i(x_start_q),
+      .x_executed_i(x_run),
+      .x_div_i(x_div_q),
+      .x_s1_i(x_s1),
+      .x_s2_i(x_s2),
+      .d2_high_i(d2_high_q),
+      .d2_result_o(d2_unit),
+      .d2_valid_o(d2_unit_valid),
+      .w_div_by_0_o(w_div_by_0_o)
+  );
+
+endmodule
+
+`default_nettype wire

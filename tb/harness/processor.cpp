@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "harness/processor.hpp"
+
+#include <Vecp5_mpu1.h>
+#include <Vecp5_mpu2.h>
+#include <Vecp5_mpu3.h>
+#include <Vhx8k_mpu1.h>
+#include <Vhx8k_mpu2.h>
+#include <Vhx8k_mpu3.h>
+
+#include "harness/verilated_processor.hpp"
+
+namespace rung::tb {
+namespace {
+
+template <typename Dut1, typename Dut2, typename Dut3>
+std::unique_ptr<Processor> make(isa::Mpu mpu, const isa::Config& config) {
+  switch (mpu) {
+    case isa::Mpu::Mpu1:
+      return std::make_unique<VerilatedProcessor<Dut1, isa::Mpu::Mpu1>>(config);
+    case isa::Mpu::Mpu2:
+      return std::make_unique<VerilatedProcessor<Dut2, isa::Mpu::Mpu2>>(config);
+    case isa::Mpu::Mpu3:
+      return std::make_unique<VerilatedProcessor<Dut3, isa::Mpu::Mpu3>>(config);
+  }
+  throw std::invalid_argument("no such processor");
+}
+
+}  // namespace
+
+std::unique_ptr<Processor> make_processor(isa::Mpu mpu, const isa::Config& config) {
+  if (config.name == "ecp5") return make<Vecp5_mpu1, Vecp5_mpu2, Vecp5_mpu3>(mpu, config);
+  if (config.name == "hx8k") return make<Vhx8k_mpu1, Vhx8k_mpu2, Vhx8k_mpu3>(mpu, config);
+  throw std::invalid_argument(fmt::format("no Verilated model of configuration {}", config.name));
+}
+
+}  // namespace rung::tb

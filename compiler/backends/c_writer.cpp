@@ -130,7 +130,8 @@ class CWriter {
     if (!arithmetic_) return;
     line("/* The low 16 bits as a signed word. */");
     line("static int16_t plc_word(uint32_t bits) {{");
-    line("  return (int16_t)((int32_t)((bits & 0xFFFFu) ^ 0x8000u) - 0x8000);");
+    line("  bits &= 0xFFFFu;");
+    line("  return (int16_t)(bits < 0x8000u ? (int32_t)bits : (int32_t)bits - 0x10000);");
     line("}}");
     line("");
   }

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+// A processor with its reset and serial link: what every board top holds. MPU chooses the processor;
+// the other parameters are the processor's own (see hdl/isa/configs.toml).
+`default_nettype none
+
+module board_core #(
+    parameter integer MPU          = 3,   // 1, 2 or 3
+    parameter integer STEPS        = 256,
+    parameter integer BIT_DEVICES  = 1024,
+    parameter integer WORD_DEVICES = 256,
+    parameter integer MUL_DSP      = 0,
+    parameter integer MUL_LATENCY  = 20,
+    parameter integer DIV_LATENCY  = 20
+) (
+    input  wire clk_i,
+    // serial link, see serial_link.v
+    input  wire sck_i,
+    input  wire csn_i,
+    input  wire sdi_i,
+    output wire sdo_o,
+    // for lamps
+    output wire done_o,
+    output wire busy_o,
+    output wire error_o
+);
+
+  wire        rst_n;
+  wire        start;
+  wire        done;
+  wire        busy;
+  wire        error;
+  wire [31:0] clocks;
+  wire        load_valid;
+  wire        load_write;
+  wire [ 2:0] load_space;
+  wire [19:0] load_addr;
+  wire [15:0] load_data;
+  wire        load_rvalid;
+  wire [15:0] load_rdata;
+
+  power_on_reset power_on_reset (
+      .clk_i (clk_i),
+      .rst_no(rst_n)
+  );
+
+  serial_link link (
+      .clk_i        (clk_i),
+      .rst_ni       (rst_n),
+      .sck_i        (sck_i),
+      .csn_i        (csn_i),
+      .sdi_i        (sdi_i),
+      .sdo_o        (sdo_o),
+      .start_o      (start),
+      .done_i       (done),
+      .busy_i       (busy),
+      .error_i      (error),
+      .clocks_i     (clocks),
+      .load_valid_o (load_valid),
+      .load_write_o (load_write),
+      .load_space_o (load_space),
+      .load_addr_o  (load_addr),
+      .load_data_o  (load_data),
+      .load_rvalid_i(load_rvalid),
+      .load_rdata_i (load_rdata)
+  );
+
+  reg [2:0] lamps_q;
+
+  always @(posedge clk_i) lamps_q <= {done, busy, error};
+
+  assign {done_o, busy_o, error_o} = lamps_q;
+
+  generate
+    if (MPU == 1) begin : gen_mpu1
+      mpu1 #(
+          .STEPS       (STEPS),
+          .BIT_DEVICES (BIT_DEVICES),
+          .WORD_DEVICES(WORD_DEVICES),
+          .MUL_DSP     (MUL_DSP),
+          .MUL_LATENCY (MUL_LATENCY),
+          .DIV_LATENCY (DIV_LATENCY)
+      ) mpu (
+          .clk_i        (clk_i),
+          .rst_ni       (rst_n),
+          .start_i      (start),
+          .done_o       (done),
+          .busy_o       (busy),
+          .error_o      (error),
+          .clocks_o     (clocks),
+          .load_valid_i (load_valid),
+          .load_write_i (load_write),
+          .load_space_i (load_space),
+          .load_addr_i  (load_addr),
+          .load_data_i  (load_data),
+          .load_rvalid_o(load_rvalid),
+          .load_rdata_o (load_rdata)
+      );
+    end else if (MPU == 2) begin : gen_mpu2
+      mpu2 #(
+          .STEPS       (STEPS),
+          .BIT_DEVICES (BIT_DEVICES),
+          .WORD_DEVICES(WORD_DEVICES),
+          .MUL_DSP     (MUL_DSP),
+          .MUL_LATENCY (MUL_LATENCY),
+          .DIV_LATENCY (DIV_LATENCY)
+      ) mpu (
+          .clk_i        (clk_i),
+          .rst_ni       (rst_n),
+          .start_i      (start),
+          .done_o       (done),
+          .busy_o       (busy),
+          .error_o      (error),
+          .clocks_o     (clocks),
+          .load_valid_i (load_valid),
+          .load_write_i (load_write),
+          .load_space_i (load_space),
+          .load_addr_i  (load_addr),
+          .load_data_i  (load_data),
+          .load_rvalid_o(load_rvalid),
+          .load_rdata_o (load_rdata)
+      );
+    end else begin : gen_mpu3
+      mpu3 #(
+          .STEPS       (STEPS),
+          .BIT_DEVICES (BIT_DEVICES),
+          .WORD_DEVICES(WORD_DEVICES),
+          .MUL_DSP     (MUL_DSP),
+          .MUL_LATENCY (MUL_LATENCY),
+          .DIV_LATENCY (DIV_LATENCY)
+      ) mpu (
+          .clk_i        (clk_i),
+          .rst_ni       (rst_n),
+          .start_i      (start),
+          .done_o       (done),
+          .busy_o       (busy),
+          .error_o      (error),
+          .clocks_o     (clocks),
+          .load_valid_i (load_valid),
+          .load_write_i (load_write),
+          .load_space_i (load_space),
+          .load_addr_i  (load_addr),
+          .load_data_i  (load_data),
+          .load_rvalid_o(load_rvalid),
+          .load_rdata_o (load_rdata)
+      );
+    end
+  endgenerate
+
+endmodule
+`default_nettype wire

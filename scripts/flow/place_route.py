@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: Apache-2.0
+"""nextpnr: a design placed and routed with one seed, kept until netlist, options or tool change."""
+from __future__ import annotations
+
+import functools
+import json
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from flow import tools
+from flow.designs import Design
+
+
+@functools.cache
+def nextpnr_version(tool: str) -> str:
+    return tools.version(tool)
+
+
+@dataclass(frozen=True)
+class Routed:
+    """What one run of nextpnr gave."""
+    seed: int
+    fmax_mhz: float
+    used: dict[str, int]              # nextpnr's cell types
+    available: dict[str, int]
+    critical_path: list[dict[str, Any]]
+
+
+def critical_path_of(report: dict[str, Any]) -> list[dict[str, Any]]:
+    """The longest path from a clock edge to one of the same clock."""
+    inner = [path["path"] for path in report["critical_paths"] if path["from"] == path["to"]]
+    if not inner:
+        raise tools.FlowError("nextpnr reports no path inside a clock domain")
+    return max(inner, key=lambda path: sum(step["delay"] for step in path))
+
+
+def read_report(path: Path, seed: int) -> Routed:
+    """A Routed from nextpnr's report. With several clocks, the slowest counts."""
+    report = json.loads(path.read_text())
+    fmax = min(clock["achieved"] for clock in report["fmax"].values())
+    utilization = report["utilization"]
+    return Routed(seed, fmax, {k: v["used"] for k, v in utilization.items()},
+                  {k: v["available"] for k, v in utilization.items()}, critical_path_of(report))
+
+
+def place_and_route(design: Design, netlist: Path, seed: int) -> Routed:
+    """Place and route one seed, or take the result of an equal run."""
+    board = design.board
+    tool = board.family.nextpnr
+    report = design.folder / f"seed{seed}.json"
+    stamp = design.folder / f"seed{seed}.inputs"
+    options = [*board.device, board.constraint_option, str(board.constraints),
+               "--freq", str(board.goal_mhz), "--seed", str(seed), "--timing-allow-fail"]
+    want = tools.digest([" ".join(options), nextpnr_version(tool)], [netlist, board.constraints])
+    if not tools.up_to_date(stamp, want, [report]):
+        stamp.unlink(missing_ok=True)
+        tools.run([tool, *options, "--json", str(netlist), "--report", str(report)],
+                  tools.LOGS / f"pnr-{design.name}-seed{seed}.log")
+        tools.write_file(stamp, want)
+        routed = read_report(report, seed)
+        tools.say(f"{design.name}: seed {seed}: {routed.fmax_mhz:.1f} MHz")
+        return routed
+    return read_report(report, seed)

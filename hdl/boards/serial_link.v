@@ -34,7 +34,7 @@ module serial_link (
     input  wire [15:0] load_rdata_i
 );
 
-  localparam [6:0] FrameBits = 7'd64;
+  localparam [6:0] FRAME_BITS = 7'd64;
 
   // Pins brought into the clock domain, one more stage to see edges.
   reg [2:0] sck_q;
@@ -88,7 +88,7 @@ module serial_link (
     end
     // The other side samples at the rising edge, so the bit may change only after the falling one.
     if (!sck_q[2]) sdo_q <= frame_q[63];
-    whole_q <= count_q == FrameBits;
+    whole_q <= count_q == FRAME_BITS;
   end
 
   // Access and start: one clock, and until the processor has taken it.

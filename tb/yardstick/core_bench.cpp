@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bench of a Verilated soft core: counts the clocks between the marks that core_main.c writes and prints
-// one JSON object {"empty", "cold", "warm", "checksum"}; clocks include the marks' own ("empty").
+// Bench of a Verilated soft core: counts the clocks between the marks that core_main.c writes and
+// prints one JSON object {"empty", "cold", "warm", "checksum"}; clocks include the marks' own
+// ("empty").
 //
 // usage: bench +ram=FILE      (the program as hexadecimal words)
 // exit: 1 if the program does not finish.

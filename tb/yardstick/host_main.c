@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0
- * Main program of the machine that makes the report: times single scans one by one and prints one JSON
- * object with the scan times in nanoseconds. The cost of reading the clock, the median of as many empty
- * measurements, is subtracted.
+ * Main program of the machine that makes the report: times single scans one by one and prints one
+ * JSON object with the scan times in nanoseconds. The cost of reading the clock, the median of as
+ * many empty measurements, is subtracted.
  *
  * usage: host [SCANS]      (default and least 100,000) */
 #define _POSIX_C_SOURCE 200809L
@@ -20,18 +20,18 @@ static int64_t now_ns(void) {
   return (int64_t)t.tv_sec * 1000000000 + t.tv_nsec;
 }
 
-static int compare(const void *a, const void *b) {
-  const int64_t x = *(const int64_t *)a, y = *(const int64_t *)b;
+static int compare(const void* a, const void* b) {
+  const int64_t x = *(const int64_t*)a, y = *(const int64_t*)b;
   return (x > y) - (x < y);
 }
 
-int main(int argc, char **argv) {
+int main(int argc, char** argv) {
   const size_t scans = argc > 1 ? strtoul(argv[1], NULL, 10) : kLeastScans;
   if (scans < kLeastScans) {
     fprintf(stderr, "at least %d scans\n", kLeastScans);
     return 2;
   }
-  int64_t *times = malloc(scans * sizeof *times);
+  int64_t* times = malloc(scans * sizeof *times);
   if (times == NULL) return 1;
 
   for (size_t i = 0; i < scans; ++i) {

@@ -20,10 +20,10 @@ module yard_wishbone (
     output wire        mark_we_o
 );
 
-  localparam [2:0] Incrementing = 3'b010;
+  localparam [2:0] INCREMENTING = 3'b010;
 
   reg  ack_q;
-  wire streaming = ack_q && cti_i == Incrementing;
+  wire streaming = ack_q && cti_i == INCREMENTING;
   wire write = cyc_i && stb_i && we_i && !ack_q;
 
   always @(posedge clk_i) begin

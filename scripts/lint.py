@@ -1,0 +1,90 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Lint everything: each check says its name and, if it finds something, what. Exit 1 if any does.
+
+Verilator -Wall   every processor with and without its retire port, in every board top
+verible           every Verilog file, rules of hdl/verible.rules
+clang-format      every C and C++ file
+isa page          hdl/isa/README.md is what the tables give
+"""
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+from flow import tools
+from flow.designs import BOARDS, MPUS, rung_design
+
+ROOT = tools.ROOT
+VERILATOR = os.environ.get("VERILATOR", "verilator")
+VERIBLE = os.environ.get("VERIBLE_LINT", str(tools.VENV_BIN / "verible-verilog-lint"))
+CLANG_FORMAT = os.environ.get("CLANG_FORMAT", "clang-format")
+INCLUDE = ['-I' + str(tools.GENERATED), '-I' + str(ROOT / "hdl" / "core")]
+
+
+def output(command: list[str]) -> str:
+    """What a command prints if it fails; nothing if it succeeds."""
+    run = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
+    return "" if run.returncode == 0 else (run.stdout + run.stderr).strip() or "failed"
+
+
+def verilator() -> list[str]:
+    found = []
+    rtl = sorted((ROOT / "hdl").glob("*.v")) + sorted((ROOT / "hdl" / "core").glob("*.v"))
+    runs = [(f"mpu{mpu}", rtl, ["-DRUNG_RETIRE"]) for mpu in MPUS]
+    for board in BOARDS.values():
+        for mpu in MPUS:
+            runs.append((board.name, list(rung_design(mpu, board).sources), [f"-GMPU={mpu}"]))
+    for top, sources, options in runs:
+        found.append(output([VERILATOR, "--lint-only", "-Wall", *INCLUDE, *options,
+                             "--top-module", top, *map(str, sources)]))
+    return found
+
+
+def verible() -> list[str]:
+    """Board tops hold a macro that stands for a parameter list, which verible takes only where it is
+    defined: they are checked behind the header that defines it."""
+    rules = f"--rules_config={ROOT / 'hdl' / 'verible.rules'}"
+    tops = [ROOT / "hdl" / "boards" / f"{board}.v" for board in BOARDS]
+    files = [f for folder in ("hdl", "tb") for f in sorted((ROOT / folder).rglob("*.v"))
+             if f not in tops]
+    found = [output([VERIBLE, rules, *map(str, files)])]
+    header = (tools.GENERATED / "rung_isa.vh").read_text().replace(", .", ", \\\n    .")
+    for top in tops:
+        copy = tools.BUILD / "lint" / top.name
+        tools.write_file(copy, header + top.read_text())
+        said = output([VERIBLE, rules, str(copy)])
+        found.append(re.sub(
+            rf"{re.escape(str(copy))}:(\d+)",
+            lambda match: f"{top}:{int(match.group(1)) - header.count(chr(10))}", said))
+    return found
+
+
+def clang_format() -> list[str]:
+    files = [str(f) for folder in ("compiler", "tb") for f in sorted((ROOT / folder).rglob("*"))
+             if f.suffix in (".c", ".h", ".cpp", ".hpp")]
+    return [output([CLANG_FORMAT, "--dry-run", "-Werror", *files])]
+
+
+def isa_page() -> list[str]:
+    return [output([sys.executable, str(ROOT / "scripts" / "gen_isa.py"), "--check-page",
+                    str(ROOT / "hdl" / "isa" / "README.md")])]
+
+
+def main() -> int:
+    tools.generate_isa_header()
+    clean = True
+    for check in (verilator, verible, clang_format, isa_page):
+        found = [text for text in check() if text]
+        tools.say(f"lint: {check.__name__.replace('_', '-')}: {'clean' if not found else 'findings'}")
+        for text in found:
+            clean = False
+            print(text, file=sys.stderr)
+    return 0 if clean else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -44,6 +44,18 @@ def verilator() -> list[str]:
     return found
 
 
+def behind_header(said: str, copy: Path, original: Path, header_lines: int) -> str:
+    """Findings in `copy`, which is a header and `original`, as findings in `original`."""
+    kept = []
+    for line in said.splitlines():
+        match = re.match(rf"{re.escape(str(copy))}:(\d+)(.*)", line)
+        if not match:
+            kept.append(line)
+        elif int(match.group(1)) > header_lines:
+            kept.append(f"{original}:{int(match.group(1)) - header_lines}{match.group(2)}")
+    return "\n".join(kept)
+
+
 def verible() -> list[str]:
     """Board tops hold a macro that stands for a parameter list, which verible takes only where it is
     defined: they are checked behind the header that defines it."""
@@ -52,14 +64,12 @@ def verible() -> list[str]:
     files = [f for folder in ("hdl", "tb") for f in sorted((ROOT / folder).rglob("*.v"))
              if f not in tops]
     found = [output([VERIBLE, rules, *map(str, files)])]
-    header = (tools.GENERATED / "rung_isa.vh").read_text().replace(", .", ", \\\n    .")
+    header = (tools.GENERATED / "rung_isa.vh").read_text()
     for top in tops:
         copy = tools.BUILD / "lint" / top.name
         tools.write_file(copy, header + top.read_text())
-        said = output([VERIBLE, rules, str(copy)])
-        found.append(re.sub(
-            rf"{re.escape(str(copy))}:(\d+)",
-            lambda match: f"{top}:{int(match.group(1)) - header.count(chr(10))}", said))
+        found.append(behind_header(output([VERIBLE, rules, str(copy)]), copy, top,
+                                   header.count("\n")))
     return found
 
 

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Place and route the processors in their board tops; area and clock as a table.
 
-The reports/area-timing.json is written when all processors run on all boards with seeds 1 to 5, or else
-nothing but the table is printed.
+reports/area-timing.json is written when all processors run on all boards with seeds 1 to 5; else the
+table is only printed.
 """
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ import json
 import sys
 from typing import Any
 
-from flow import area, tools
+from flow import area, stages, tools
 from flow.designs import BOARDS, MPUS, rung_design
 from flow.place_route import nextpnr_version
 from flow.synthesis import yosys_version
@@ -41,7 +41,9 @@ def main() -> int:
     for board in arguments.board:
         for mpu in arguments.mpu:
             record = area.measure(rung_design(mpu, BOARDS[board]), arguments.seeds, arguments.jobs)
-            records.append({"mpu": mpu, **record})
+            path = record["critical_path"]
+            path["stage"] = stages.stage(path["start"], path["end"])
+            records.append({"mpu": mpu, "board": board, "config": BOARDS[board].config, **record})
             tools.say(line(records[-1]))
     if (sorted(arguments.mpu) == list(MPUS) and sorted(arguments.board) == sorted(BOARDS)
             and sorted(arguments.seeds) == ALL_SEEDS):

@@ -38,8 +38,6 @@ def measure(design: Design, seeds: list[int], jobs: int) -> dict[str, Any]:
 
     link = [kind for name, kind in types.items() if re.search(r"\b(link|power_on_reset)\.", name)]
     return {
-        "board": design.board.name,
-        "config": design.board.config,
         "logic_cells": used("logic_cells"),
         "logic_cells_available": median.available[names["logic_cells"]],
         "flip_flops": sum(bool(FLIP_FLOP.match(kind)) for kind in types.values()),

@@ -26,10 +26,9 @@ class Board:
     title: str
     family: Family
     device: tuple[str, ...]       # nextpnr options that name device, package and grade
-    constraint_option: str
-    constraints: Path
+    constraints: tuple[str, Path] | None   # nextpnr's option and the file; None: any pins
     goal_mhz: int                 # --freq: a little above what is reached
-    config: str
+    config: str                   # of the processors; "" for other cores
 
 
 # abc9 knows the delays of cells and of block RAMs; on both families it gave the better clock.
@@ -41,9 +40,9 @@ ICE40 = Family("ice40", "synth_ice40 -abc9 -device hx", tools.NEXTPNR_ICE40,
 BOARDS = {
     "ulx3s": Board("ulx3s", "ULX3S, ECP5-85F grade 6", ECP5,
                    ("--85k", "--package", "CABGA381", "--speed", "6"),
-                   "--lpf", tools.ROOT / "constraints" / "ulx3s.lpf", 120, "ecp5"),
+                   ("--lpf", tools.ROOT / "constraints" / "ulx3s.lpf"), 120, "ecp5"),
     "hx8k": Board("hx8k", "iCE40-HX8K breakout", ICE40, ("--hx8k", "--package", "ct256"),
-                  "--pcf", tools.ROOT / "constraints" / "hx8k.pcf", 80, "hx8k"),
+                  ("--pcf", tools.ROOT / "constraints" / "hx8k.pcf"), 80, "hx8k"),
 }
 
 
@@ -56,6 +55,7 @@ class Design:
     include: tuple[Path, ...]
     parameters: tuple[tuple[str, int], ...]
     board: Board
+    ours: bool = True             # False: third-party Verilog, whose warnings are not ours
 
     @property
     def folder(self) -> Path:

@@ -50,9 +50,15 @@ def place_and_route(design: Design, netlist: Path, seed: int) -> Routed:
     tool = board.family.nextpnr
     report = design.folder / f"seed{seed}.json"
     stamp = design.folder / f"seed{seed}.inputs"
-    options = [*board.device, board.constraint_option, str(board.constraints),
-               "--freq", str(board.goal_mhz), "--seed", str(seed), "--timing-allow-fail"]
-    want = tools.digest([" ".join(options), nextpnr_version(tool)], [netlist, board.constraints])
+    options = [*board.device, "--freq", str(board.goal_mhz), "--seed", str(seed),
+               "--timing-allow-fail"]
+    inputs = [netlist]
+    if board.constraints:
+        options += [board.constraints[0], str(board.constraints[1])]
+        inputs.append(board.constraints[1])
+    else:
+        options.append("--lpf-allow-unconstrained")
+    want = tools.digest([" ".join(options), nextpnr_version(tool)], inputs)
     if not tools.up_to_date(stamp, want, [report]):
         stamp.unlink(missing_ok=True)
         tools.run([tool, *options, "--json", str(netlist), "--report", str(report)],

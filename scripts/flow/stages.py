@@ -26,7 +26,6 @@ class CriticalPath:
     """A path from clock edge to clock edge; all times in ns."""
     start: str
     end: str
-    stage: str
     delay_ns: float
     logic_ns: float
     routing_ns: float
@@ -48,7 +47,7 @@ def prefix_of(name: str) -> str:
 
 
 def stage(start: str, end: str) -> str:
-    """The stage that limits, from the short names of a path's ends."""
+    """The stage that limits one of our processors, from the short names of a path's ends."""
     if start.startswith("link.") or end.startswith("link."):
         return "serial link of the board top"
     if "load_port" in start:
@@ -70,10 +69,8 @@ def stage(start: str, end: str) -> str:
 
 
 def describe(path: list[dict[str, Any]]) -> CriticalPath:
-    """A path of nextpnr's report: its ends, its stage, its delay in parts."""
-    start = short_name(path[0]["from"]["cell"])
-    end = short_name(path[-1]["to"]["cell"])
+    """A path of nextpnr's report: its ends and its delay in parts."""
     routing = sum(step["delay"] for step in path if step["type"] == "routing")
     total = sum(step["delay"] for step in path)
-    return CriticalPath(start, end, stage(start, end), round(total, 2), round(total - routing, 2),
-                        round(routing, 2))
+    return CriticalPath(short_name(path[0]["from"]["cell"]), short_name(path[-1]["to"]["cell"]),
+                        round(total, 2), round(total - routing, 2), round(routing, 2))

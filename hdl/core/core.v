@@ -52,7 +52,7 @@ module core #(
   localparam BITS = `RUNG_WORD_BITS;
   `include "fields.vh"
 
-  // ---- load port -------------------------------------------------------------------------------
+  // ---- load port -----------------------------------------------------------------------------
   wire busy;
   wire l_chunk, l_lut, l_length;
   wire [19:0] l_addr;
@@ -87,10 +87,12 @@ module core #(
       .w_word_i(w_word_value[0+:BITS])
   );
 
-  // ---- IF1, IF2 --------------------------------------------------------------------------------
+  // ---- IF1, IF2, IF3 -------------------------------------------------------------------------
   wire scan_start;
   wire d1_hold;
+  wire [SLOTS*SLOT_BITS-1:0] f3_step;
   wire [SLOTS*SLOT_BITS-1:0] d1_step;
+  wire unused_f3_step = &{1'b0, f3_step};  // of IF3 only the opcodes matter here
   wire [SLOTS*SLOT_BITS-1:0] l_step;
   assign l_step[SLOT_BITS-1:0] = l_instruction;
   generate
@@ -120,6 +122,7 @@ module core #(
       .load_data_i(l_data),
       .l_step_i(l_step),
       .d1_hold_i(d1_hold),
+      .f3_step_o(f3_step),
       .d1_step_o(d1_step)
 `ifdef RUNG_RETIRE
       ,
@@ -129,8 +132,9 @@ module core #(
   );
   assign busy_o = busy;
 
-  // ---- ID1: waiting steps ----------------------------------------------------------------------
+  // ---- ID1: waiting steps --------------------------------------------------------------------
   wire d1_first, d1_last;
+  wire [SLOTS*`RUNG_OP_BITS-1:0] f3_op;
   wire [SLOTS*`RUNG_OP_BITS-1:0] d1_op;
 
   sequencer #(
@@ -140,13 +144,13 @@ module core #(
   ) sequencer (
       .clk_i(clk_i),
       .rst_ni(rst_ni),
-      .d1_op_i(d1_op),
+      .f3_op_i(f3_op),
       .d1_first_o(d1_first),
       .d1_last_o(d1_last),
       .d1_hold_o(d1_hold)
   );
 
-  // ---- device memories -------------------------------------------------------------------------
+  // ---- device memories -----------------------------------------------------------------------
   wire [SLOTS*READS*BIT_ADDR-1:0] d1_bit_addr;
   wire [SLOTS*READS*SLOTS-1:0] d2_bit_bank;
   wire [SLOTS*SLOTS-1:0] d2_bit_cross;
@@ -198,13 +202,14 @@ module core #(
       .x_bank_i(x_word_bank)
   );
 
-  // ---- slots -----------------------------------------------------------------------------------
+  // ---- slots ---------------------------------------------------------------------------------
   wire [SLOTS-1:0] w_div_by_0;
   genvar s;
   generate
     for (s = 0; s < SLOTS; s = s + 1) begin : g_slot
       wire [`RUNG_ROW_BITS-1:0] d1_row;
       wire [7:0] d2_row;
+      assign f3_op[s*`RUNG_OP_BITS+:`RUNG_OP_BITS] = f3_step[s*SLOT_BITS+OP_AT+:`RUNG_OP_BITS];
       assign d1_op[s*`RUNG_OP_BITS+:`RUNG_OP_BITS] = d1_step[s*SLOT_BITS+OP_AT+:`RUNG_OP_BITS];
 
       if (LOOKUP != 0) begin : g_lut
@@ -288,7 +293,7 @@ module core #(
     end
   endgenerate
 
-  // ---- error flag: any executed division by 0 in this scan, in time for the earliest done ------
+  // ---- error flag: any executed division by 0 in this scan, in time for the earliest done ----
   reg error_q;
   assign error_o = error_q || |w_div_by_0;
   always @(posedge clk_i) begin
@@ -296,7 +301,7 @@ module core #(
   end
 
 `ifdef RUNG_RETIRE
-  // ---- retire port -----------------------------------------------------------------------------
+  // ---- retire port ----------------------------------------------------------------------------
   reg [SLOTS-1:0] d1_retire, d2_retire_q, x_retire_q;
   reg [15:0] d2_number_q, x_number_q;
   integer r;

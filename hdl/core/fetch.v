@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scan control and the fetch stages: IF1 addresses the instruction memory with the program
-// counter, IF2 moves its data into the instruction register of ID1. Straight-line code: the
-// counter runs from 0 to the program's length, then an end token follows the last step down the
-// pipeline. Takes start; gives one step a clock to ID1, done, busy and the clocks of the scan.
+// Scan control and the fetch stages: IF1 addresses the instruction memory with the program counter,
+// IF2 takes its data into a register, IF3 moves them to ID1. On a large FPGA the memory's block RAMs
+// lie all over the chip, and IF3 is the way from there. Straight-line code: the counter runs from 0 to
+// the program's length, then an end token follows the last step down the pipeline.
+// Takes start; gives one step a clock to ID1, done, busy and the clocks of the scan.
 `default_nettype none
 
 module fetch #(
@@ -24,11 +25,13 @@ module fetch #(
     input  wire [         15:0] load_data_i,
     // a host access as a step, all 0 if there is none; only while no scan is fetching
     input  wire [STEP_BITS-1:0] l_step_i,
-    // ID1: the step (NOPs, all 0, between scans), if it is one of the program, and its number
+    // IF3: the step that ID1 has next, unless it holds; ID1: the step. All 0, NOPs, between scans
     input  wire                 d1_hold_i,
+    output wire [STEP_BITS-1:0] f3_step_o,
     output wire [STEP_BITS-1:0] d1_step_o
 `ifdef RUNG_RETIRE
     ,
+    // ID1: a step of the program, and its number
     output wire                 d1_valid_o,
     output wire [         15:0] d1_number_o
 `endif
@@ -113,23 +116,33 @@ module fetch #(
 
   wire unused_addr = &{1'b0, load_addr_i[19:3+PC_BITS]};
 
-  // ---- IF2 -------------------------------------------------------------------------------------
+  // ---- IF2, IF3 -------------------------------------------------------------------------------
   reg f2_valid_q;
   reg f2_end_q;
+  reg f3_valid_q;
+  reg f3_end_q;
   reg d1_end_q;
+  reg [STEP_BITS-1:0] f3_step_q;
   reg [STEP_BITS-1:0] d1_step_q;
+
+  assign f3_step_o = (f3_step_q & {STEP_BITS{f3_valid_q}}) | l_step_i;
 
   always @(posedge clk_i) begin
     if (!rst_ni) begin
       f2_valid_q <= 1'b0;
       f2_end_q   <= 1'b0;
+      f3_valid_q <= 1'b0;
+      f3_end_q   <= 1'b0;
       d1_end_q   <= 1'b0;
       d1_step_q  <= {STEP_BITS{1'b0}};
     end else if (!d1_hold_i) begin
       f2_valid_q <= f1_valid;
       f2_end_q   <= f1_end;
-      d1_end_q   <= f2_end_q;
-      d1_step_q  <= (f2_step & {STEP_BITS{f2_valid_q}}) | l_step_i;
+      f3_valid_q <= f2_valid_q;
+      f3_end_q   <= f2_end_q;
+      f3_step_q  <= f2_step;
+      d1_end_q   <= f3_end_q;
+      d1_step_q  <= f3_step_o;
     end
     // A step that holds ID1 is not the end, so the token needs no hold of its own.
     d2_end_q <= d1_end_q && rst_ni;
@@ -139,6 +152,7 @@ module fetch #(
 
 `ifdef RUNG_RETIRE
   reg [PC_BITS-1:0] f2_number_q;
+  reg [PC_BITS-1:0] f3_number_q;
   reg [PC_BITS-1:0] d1_number_q;
   reg d1_valid_q;
   always @(posedge clk_i) begin
@@ -146,8 +160,9 @@ module fetch #(
       d1_valid_q <= 1'b0;
     end else if (!d1_hold_i) begin
       f2_number_q <= f1_pc_q[PC_BITS-1:0];
-      d1_number_q <= f2_number_q;
-      d1_valid_q  <= f2_valid_q;
+      f3_number_q <= f2_number_q;
+      d1_number_q <= f3_number_q;
+      d1_valid_q  <= f3_valid_q;
     end
   end
   assign d1_valid_o  = d1_valid_q;

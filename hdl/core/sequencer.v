@@ -13,33 +13,48 @@ module sequencer #(
 ) (
     input  wire                           clk_i,
     input  wire                           rst_ni,
-    // ID1: the opcodes of the step, slot 0 lowest
-    input  wire [SLOTS*`RUNG_OP_BITS-1:0] d1_op_i,
+    // IF3: the opcodes of the step that ID1 has next, unless it holds; slot 0 lowest
+    input  wire [SLOTS*`RUNG_OP_BITS-1:0] f3_op_i,
     // ID1: first pass (of any step), last pass (of a waiting one), more passes to come
     output wire                           d1_first_o,
     output wire                           d1_last_o,
     output wire                           d1_hold_o
 );
 
-  reg d1_mul;
-  reg d1_div;
+  // ---- IF3 -----------------------------------------------------------------------------------
+  reg f3_mul;
+  reg f3_div;
   integer i;
   always @* begin
-    d1_mul = 1'b0;
-    d1_div = 1'b0;
+    f3_mul = 1'b0;
+    f3_div = 1'b0;
     for (i = 0; i < SLOTS; i = i + 1) begin
-      if (d1_op_i[i*`RUNG_OP_BITS+:`RUNG_OP_BITS] == `RUNG_OP_MUL) d1_mul = 1'b1;
-      if (d1_op_i[i*`RUNG_OP_BITS+:`RUNG_OP_BITS] == `RUNG_OP_DIV) d1_div = 1'b1;
+      if (f3_op_i[i*`RUNG_OP_BITS+:`RUNG_OP_BITS] == `RUNG_OP_MUL) f3_mul = 1'b1;
+      if (f3_op_i[i*`RUNG_OP_BITS+:`RUNG_OP_BITS] == `RUNG_OP_DIV) f3_div = 1'b1;
+    end
+  end
+
+  // ---- ID1: d1_hold_o has far to go, so little may stand before it ---------------------------
+  reg d1_mul_q;
+  reg d1_div_q;
+  reg d1_waits_q;
+  always @(posedge clk_i) begin
+    if (!rst_ni) begin
+      d1_waits_q <= 1'b0;
+    end else if (!d1_hold_o) begin
+      d1_mul_q   <= f3_mul;
+      d1_div_q   <= f3_div;
+      d1_waits_q <= f3_mul || f3_div;
     end
   end
 
   localparam BOTH_LATENCY = MUL_LATENCY > DIV_LATENCY ? MUL_LATENCY : DIV_LATENCY;
-  wire [31:0] d1_latency = d1_mul && d1_div ? BOTH_LATENCY : d1_mul ? MUL_LATENCY : DIV_LATENCY;
+  wire [31:0] d1_latency = !d1_mul_q ? DIV_LATENCY : !d1_div_q ? MUL_LATENCY : BOTH_LATENCY;
 
   reg d1_waiting_q;
   reg d1_last_q;
   reg [4:0] d1_count_q;
-  wire d1_begin = (d1_mul || d1_div) && !d1_waiting_q;
+  wire d1_begin = d1_waits_q && !d1_waiting_q;
 
   always @(posedge clk_i) begin
     if (d1_begin) begin

@@ -125,37 +125,17 @@ class Builder {
     return {source, source.constant ? kStart : version(source.device)};
   }
 
-  static ActionKind action_kind(const Instruction& instruction) {
-    switch (instruction.op) {
-      case Op::Out:
-        return ActionKind::Out;
-      case Op::Set:
-        return ActionKind::Set;
-      case Op::Rst:  // of a word: clears it
-        return is_word(instruction.device) ? ActionKind::Move : ActionKind::Rst;
-      case Op::Mov:
-        return ActionKind::Move;
-      case Op::Add:
-        return ActionKind::Add;
-      case Op::Sub:
-        return ActionKind::Sub;
-      case Op::Mul:
-        return ActionKind::Mul;
-      default:
-        assert(instruction.op == Op::Div);
-        return ActionKind::Div;
-    }
-  }
-
   void act(const Instruction& instruction, std::size_t index) {
     Action action;
-    action.kind = action_kind(instruction);
+    // RST of a word device moves 0 to it.
+    const bool clears = instruction.op == Op::Rst && is_word(instruction.device);
+    action.op = clears ? Op::Mov : instruction.op;
     action.condition = result_;
     action.target = instruction.device;
     action.double_width = instruction.double_width;
     action.instruction = index;
     action.network = network_;
-    if (!is_bit_action(action.kind) && instruction.op != Op::Rst) {
+    if (!is_bit_action(action.op) && instruction.op != Op::Rst) {
       action.operands = {operand(instruction.sources[0]), operand(instruction.sources[1])};
     }
     if (conditions_.size() < logic_.nodes.size()) conditions_.resize(logic_.nodes.size());

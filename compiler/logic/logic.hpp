@@ -35,11 +35,10 @@ struct Node {
   std::int32_t epoch = 0;    // actions executed before the contact that made this node
   std::int32_t uses = 0;     // parents and, once, being some action's condition
   std::int32_t network = 0;
-  std::size_t instruction = 0;   // the source instruction that made it
+  std::size_t instruction = 0;  // the source instruction that made it
 };
 
-enum class ActionKind : std::uint8_t { Out, Set, Rst, Move, Add, Sub, Mul, Div };
-inline bool is_bit_action(ActionKind kind) { return kind <= ActionKind::Rst; }
+inline bool is_bit_action(Op op) { return op >= Op::Out && op <= Op::Rst; }
 
 // A word operand with the version of the device that it reads.
 struct Operand {
@@ -49,7 +48,7 @@ struct Operand {
 
 // One output instruction. Its number in Logic::actions is the Version that it writes.
 struct Action {
-  ActionKind kind = ActionKind::Out;
+  Op op = Op::Out;  // RST of a word is the MOV that it is
   NodeId condition = kNoNode;
   Device target;
   bool double_width = false;        // Mul, Div: also writes the device after `target`

@@ -4,18 +4,19 @@
 #include <algorithm>
 #include <cassert>
 
+#include "rungs/fold.hpp"
+
 namespace rung::mapping {
 namespace {
 
 using isa::Opcode;
 using logic::Action;
-using logic::ActionKind;
 using logic::Operand;
 
-Operand constant(std::int32_t value) {
+Operand constant(std::int16_t value) {
   Operand operand;
   operand.source.constant = true;
-  operand.source.value = static_cast<std::int16_t>(value);
+  operand.source.value = value;
   return operand;
 }
 
@@ -27,52 +28,29 @@ Destination to_device(Device device, std::int32_t version) {
   return destination;
 }
 
-Opcode bit_opcode(ActionKind kind) {
-  switch (kind) {
-    case ActionKind::Set:
+Opcode bit_opcode(Op op) {
+  switch (op) {
+    case Op::Set:
       return Opcode::Set;
-    case ActionKind::Rst:
+    case Op::Rst:
       return Opcode::Rst;
     default:
       return Opcode::Out;
   }
 }
 
-Opcode word_opcode(ActionKind kind, bool split) {
-  switch (kind) {
-    case ActionKind::Add:
+Opcode word_opcode(Op op, bool split) {
+  switch (op) {
+    case Op::Add:
       return Opcode::Add;
-    case ActionKind::Sub:
+    case Op::Sub:
       return Opcode::Sub;
-    case ActionKind::Mul:
+    case Op::Mul:
       return split ? Opcode::Muls : Opcode::Mul;
-    case ActionKind::Div:
+    case Op::Div:
       return split ? Opcode::Divs : Opcode::Div;
     default:
       return Opcode::Mv;
-  }
-}
-
-// The low and high word that an operation on two constants writes; nothing for a division by 0.
-bool fold(ActionKind kind, std::int32_t a, std::int32_t b, std::int32_t& low, std::int32_t& high) {
-  switch (kind) {
-    case ActionKind::Add:
-      low = a + b;
-      return true;
-    case ActionKind::Sub:
-      low = a - b;
-      return true;
-    case ActionKind::Mul:
-      low = a * b;
-      high = (a * b) >> 16;
-      return true;
-    case ActionKind::Div:
-      if (b == 0) return false;
-      low = a / b;
-      high = a % b;
-      return true;
-    default:
-      return false;
   }
 }
 
@@ -107,7 +85,7 @@ OpId append(Mapping& mapping, Unit& unit, MappedOp op) {
   return id;
 }
 
-bool is_muldiv(ActionKind kind) { return kind == ActionKind::Mul || kind == ActionKind::Div; }
+bool is_muldiv(Op op) { return op == Op::Mul || op == Op::Div; }
 
 void append_action(Mapping& mapping, Unit& unit, const logic::Logic& logic, std::int32_t action,
                    OpId condition, bool split_muldiv) {
@@ -117,28 +95,27 @@ void append_action(Mapping& mapping, Unit& unit, const logic::Logic& logic, std:
   op.instruction = source.instruction;
   op.action = action;
   op.destination = to_device(source.target, action);
-  if (logic::is_bit_action(source.kind)) {
-    op.opcode = bit_opcode(source.kind);
+  if (logic::is_bit_action(source.op)) {
+    op.opcode = bit_opcode(source.op);
     append(mapping, unit, op);
     return;
   }
   const Device second{source.target.kind, source.target.number + 1};
   op.operands = source.operands;
-  if (source.kind == ActionKind::Move) {
+  if (source.op == Op::Mov) {
     op.opcode = Opcode::Mv;
     op.operands = {constant(0), source.operands[0]};
     append(mapping, unit, op);
     return;
   }
   if (op.operands[0].source.constant && op.operands[1].source.constant) {
-    std::int32_t low = 0;
-    std::int32_t high = 0;
-    if (fold(source.kind, op.operands[0].source.value, op.operands[1].source.value, low, high)) {
+    const auto result = fold(source.op, op.operands[0].source.value, op.operands[1].source.value);
+    if (result) {
       op.opcode = Opcode::Mv;
-      op.operands = {constant(0), constant(low)};
+      op.operands = {constant(0), constant(result->low)};
       append(mapping, unit, op);
       if (source.double_width) {
-        op.operands[1] = constant(high);
+        op.operands[1] = constant(result->high);
         op.destination = to_device(second, action);
         append(mapping, unit, op);
       }
@@ -149,8 +126,8 @@ void append_action(Mapping& mapping, Unit& unit, const logic::Logic& logic, std:
     op.operands[0].source.device = source.target;
     op.operands[0].version = kAnyVersion;
   }
-  op.opcode = word_opcode(source.kind, split_muldiv);
-  if (!is_muldiv(source.kind)) {
+  op.opcode = word_opcode(source.op, split_muldiv);
+  if (!is_muldiv(source.op)) {
     append(mapping, unit, op);
     return;
   }

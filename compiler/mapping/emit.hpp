@@ -14,7 +14,7 @@ OpId append(Mapping& mapping, Unit& unit, MappedOp op);
 void append_action(Mapping& mapping, Unit& unit, const logic::Logic& logic, std::int32_t action,
                    OpId condition, bool split_muldiv);
 
-bool is_muldiv(logic::ActionKind kind);
+bool is_muldiv(Op kind);
 
 // A look-up with these inputs can also write `destination`: its third port is the one that reads
 // the destination, so it must be free, N0, or the destination's own value.

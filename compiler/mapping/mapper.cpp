@@ -15,7 +15,6 @@ namespace rung::mapping {
 namespace {
 
 using logic::Action;
-using logic::ActionKind;
 using logic::Logic;
 using logic::Node;
 using logic::NodeId;
@@ -137,14 +136,14 @@ class NetworkMapper {
   }
 
   bool joins(const Segment& segment, std::int32_t action) const {
-    const bool muldiv = is_muldiv(logic_.actions[action].kind);
+    const bool muldiv = is_muldiv(logic_.actions[action].op);
     const auto is_member = [&](std::int32_t a) {
       return std::find(segment.actions.begin(), segment.actions.end(), a) != segment.actions.end();
     };
     for (std::int32_t a = segment.position; a < action; ++a) {
       if (is_member(a)) {
         // One unit holds one product or quotient at a time.
-        if (muldiv && is_muldiv(logic_.actions[a].kind)) return false;
+        if (muldiv && is_muldiv(logic_.actions[a].op)) return false;
       } else if (!may_pass(action, a)) {
         return false;
       }
@@ -172,7 +171,7 @@ class NetworkMapper {
   // The device that an OUT of the first segment writes, if it still holds the value at every use.
   bool kept_by_coil(const Kept& kept, BitValue& value) const {
     for (const std::int32_t action : kept.segments.front().actions) {
-      if (logic_.actions[action].kind != ActionKind::Out) continue;
+      if (logic_.actions[action].op != Op::Out) continue;
       const Device device = logic_.actions[action].target;
       const std::int32_t end = logic_.overwritten(device, action);
       const auto fine = [&](std::int32_t epoch) { return epoch <= end; };
@@ -215,7 +214,7 @@ class NetworkMapper {
   bool has_muldiv(const Kept& kept) const {
     const auto& actions = kept.segments.front().actions;
     return std::any_of(actions.begin(), actions.end(),
-                       [&](std::int32_t a) { return is_muldiv(logic_.actions[a].kind); });
+                       [&](std::int32_t a) { return is_muldiv(logic_.actions[a].op); });
   }
 
   // The reader can follow in the same unit: nothing else of the program stands between the two.
@@ -335,7 +334,7 @@ class NetworkMapper {
 
   bool fuse(OpId lookup, std::int32_t action) {
     const Action& source = logic_.actions[action];
-    if (!logic::is_bit_action(source.kind)) return false;
+    if (!logic::is_bit_action(source.op)) return false;
     MappedOp& op = mapping_.ops[lookup];
     Destination destination;
     destination.kind = Destination::Kind::Device;
@@ -344,9 +343,9 @@ class NetworkMapper {
     if (!can_write(op.inputs, destination)) return false;
     op.destination = destination;
     op.action = action;
-    op.opcode = source.kind == ActionKind::Out   ? isa::Opcode::Luto
-                : source.kind == ActionKind::Set ? isa::Opcode::Luts
-                                                 : isa::Opcode::Lutr;
+    op.opcode = source.op == Op::Out   ? isa::Opcode::Luto
+                : source.op == Op::Set ? isa::Opcode::Luts
+                                       : isa::Opcode::Lutr;
     return true;
   }
 

@@ -14,7 +14,6 @@
 namespace rung::mapping {
 namespace {
 
-using logic::ActionKind;
 using logic::Logic;
 using logic::NodeKind;
 using logic::Version;
@@ -126,13 +125,13 @@ class Checker {
     std::size_t action = 0;
     const auto act = [&](std::size_t a) {
       const auto& source = logic_.actions[a];
-      if (!logic::is_bit_action(source.kind)) return;
+      if (!logic::is_bit_action(source.op)) return;
       const auto number = static_cast<Version>(a);
       const Word condition = nodes_[source.condition];
       const Word before = bit(source.target, logic_.current(source.target, number));
-      const Word after = source.kind == ActionKind::Out   ? condition
-                         : source.kind == ActionKind::Set ? before | condition
-                                                          : before & ~condition;
+      const Word after = source.op == Op::Out   ? condition
+                         : source.op == Op::Set ? before | condition
+                                                : before & ~condition;
       bits_[{source.target, number}] = after;
     };
     for (std::size_t i = 0; i < nodes_.size(); ++i) {

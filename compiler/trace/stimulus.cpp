@@ -74,7 +74,8 @@ class LineReader {
   }
 
   void finish(Stimulus& stimulus) {
-    stimulus.append(std::exchange(events_, {}), std::exchange(count_, std::nullopt).value_or(1));
+    stimulus.append(std::exchange(events_, {}), std::max<std::uint64_t>(count_, 1));
+    count_ = 0;
   }
 
  private:
@@ -83,10 +84,10 @@ class LineReader {
     if (!count || *count == 0 || *count > kMostScans) {
       diagnostics_.error(file_, position, fmt::format("{} is no number of scans", text),
                          fmt::format("write *1 to *{}", kMostScans));
-    } else if (count_) {
+    } else if (count_ != 0) {
       diagnostics_.error(file_, position, "this line has a number of scans already");
     } else {
-      count_ = count;
+      count_ = *count;
     }
   }
 
@@ -94,7 +95,7 @@ class LineReader {
   Dialect dialect_;
   Diagnostics& diagnostics_;
   std::vector<StimulusEvent> events_;
-  std::optional<std::uint64_t> count_;
+  std::uint64_t count_ = 0;  // of *N; 0 if the line has none
 };
 
 }  // namespace

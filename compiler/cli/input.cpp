@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/input.hpp"
+
+#include <iostream>
+
+#include "image/image_file.hpp"
+#include "melsec/list.hpp"
+#include "melsec/paper.hpp"
+#include "source/text_file.hpp"
+
+namespace rung::cli {
+namespace {
+
+std::optional<Program> parse(std::string_view bytes, const Options& options,
+                             std::optional<Dialect> dialect, Diagnostics& diagnostics) {
+  const auto text = decode_text(bytes, options.program, diagnostics);
+  if (!text) return std::nullopt;
+  auto program = parse_list(*text, dialect, diagnostics);
+  if (program && options.paper && !check_paper(*program, diagnostics)) return std::nullopt;
+  return program;
+}
+
+// An image is for one processor and was compiled once: what would change that is wrong usage.
+void check_image_options(const Options& options, const image::Image& image) {
+  const std::optional<int> mpu = mpu_of(options);
+  if (mpu && *mpu != static_cast<int>(image.mpu)) {
+    throw UsageError("an image runs on the processor that it was compiled for, MPU" +
+                     std::to_string(static_cast<int>(image.mpu)));
+  }
+  if (options.paper) throw UsageError("--paper is for compiling; this is an image");
+  if (!options.dialect.empty() && options.dialect != image.dialect) {
+    throw UsageError("the image was compiled from dialect " + image.dialect);
+  }
+}
+
+Dialect dialect_named(const std::string& name) {
+  for (const Dialect dialect : {Dialect::Paper, Dialect::Fx}) {
+    if (dialect_name(dialect) == name) return dialect;
+  }
+  return Dialect::Q;
+}
+
+}  // namespace
+
+int report(const Diagnostics& diagnostics) {
+  diagnostics.print(std::cerr);
+  return diagnostics.has_errors() ? kRefused : kDone;
+}
+
+std::optional<Input> read_input(const Options& options, bool images,
+                                std::optional<Dialect> fallback, Diagnostics& diagnostics) {
+  const std::optional<Dialect> asked = dialect_of(options);
+  const auto bytes = read_bytes(options.program, diagnostics);
+  if (!bytes) return std::nullopt;
+  Input input;
+  if (images && image::is_image(*bytes)) {
+    input.image = image::from_bytes(*bytes, options.program, diagnostics);
+    if (!input.image) return std::nullopt;
+    check_image_options(options, *input.image);
+    input.dialect = dialect_named(input.image->dialect);
+    return input;
+  }
+  input.program = parse(*bytes, options, asked ? asked : fallback, diagnostics);
+  if (!input.program) return std::nullopt;
+  input.dialect = input.program->dialect;
+  return input;
+}
+
+std::optional<Program> read_program(const Options& options, Diagnostics& diagnostics) {
+  auto input = read_input(options, false, std::nullopt, diagnostics);
+  if (!input) return std::nullopt;
+  return std::move(input->program);
+}
+
+std::optional<Compiled> compile_input(const Program& program, const Options& options,
+                                      Diagnostics& diagnostics) {
+  CompileOptions how;
+  how.mpu = static_cast<isa::Mpu>(mpu_of(options).value_or(3));
+  how.paper = options.paper;
+  how.config = &config_of(options);
+  how.search.seed = options.seed;
+  return compile(program, how, diagnostics);
+}
+
+std::optional<Stimulus> read_stimulus(const std::string& file, Dialect dialect,
+                                      Diagnostics& diagnostics) {
+  const auto bytes = read_bytes(file, diagnostics);
+  if (!bytes) return std::nullopt;
+  const auto text = decode_text(*bytes, file, diagnostics);
+  return text ? parse_stimulus(*text, dialect, diagnostics) : std::nullopt;
+}
+
+std::unique_ptr<Target> make_target(image::Image image) {
+  auto target = std::make_unique<Target>();
+  target->image = std::move(image);
+  target->processor =
+      tb::make_processor(target->image.mpu, *isa::find_config(target->image.config));
+  target->machine = std::make_unique<tb::Machine>(target->image, *target->processor);
+  return target;
+}
+
+}  // namespace rung::cli

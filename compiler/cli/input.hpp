@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a command works on: a program from its source, or an image.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "cli/options.hpp"
+#include "driver/compile.hpp"
+#include "harness/processor.hpp"
+#include "lockstep/machine.hpp"
+#include "trace/stimulus.hpp"
+
+namespace rung::cli {
+
+// Prints what has been collected on standard error; the exit code that it means.
+int report(const Diagnostics& diagnostics);
+
+struct Input {
+  std::optional<Program> program;
+  std::optional<image::Image> image;
+  Dialect dialect = Dialect::Fx;
+};
+
+// Reads PROGRAM, or an image if `images`. `fallback` is the dialect without --dialect, before the
+// program itself is asked. Nothing, with errors, when it is refused.
+std::optional<Input> read_input(const Options& options, bool images,
+                                std::optional<Dialect> fallback, Diagnostics& diagnostics);
+
+// PROGRAM from its source alone.
+std::optional<Program> read_program(const Options& options, Diagnostics& diagnostics);
+
+// The compiled program with the options' processor (3 if none is given).
+std::optional<Compiled> compile_input(const Program& program, const Options& options,
+                                      Diagnostics& diagnostics);
+
+// Reads --stimulus.
+std::optional<Stimulus> read_stimulus(const std::string& file, Dialect dialect,
+                                      Diagnostics& diagnostics);
+
+// The processor and the loaded image, in the order in which they must live.
+struct Target {
+  image::Image image;
+  std::unique_ptr<tb::Processor> processor;
+  std::unique_ptr<tb::Machine> machine;
+};
+std::unique_ptr<Target> make_target(image::Image image);
+
+}  // namespace rung::cli

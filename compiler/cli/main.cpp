@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// rung: compile, run, check and translate ladder programs.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <exception>
+
+#include "cli/options.hpp"
+
+namespace {
+
+int execute(const rung::cli::Options& options) {
+  using namespace rung::cli;
+  switch (options.command) {
+    case Command::Compile:
+      return compile_command(options);
+    case Command::Run:
+      return run_command(options);
+    case Command::Check:
+      return check_command(options);
+    case Command::Translate:
+      return translate_command(options);
+  }
+  return kUsage;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  rung::cli::Options options;
+  if (const auto code = rung::cli::parse(argc, argv, options)) return *code;
+  try {
+    return execute(options);
+  } catch (const rung::cli::UsageError& error) {
+    fmt::print(stderr, "rung: {}\n", error.what());
+    return rung::cli::kUsage;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "{}:1:1: error: {}\n", options.program, error.what());
+    return rung::cli::kRefused;
+  }
+}

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <iostream>
+
+#include "cli/input.hpp"
+#include "lockstep/lockstep.hpp"
+#include "reference/run.hpp"
+#include "source/text_file.hpp"
+
+namespace rung::cli {
+namespace {
+
+// What the scans of a run are given, and what comes out.
+struct Session {
+  Stimulus stimulus;
+  std::uint64_t scans = 1;
+  std::int64_t tick_us = 10000;
+  Trace trace;
+  bool keep = false;  // the trace is wanted
+};
+
+void keep(Session& session, TraceScan scan) {
+  if (session.keep) session.trace.scans.push_back(std::move(scan));
+}
+
+void run_reference(const Program& program, bool state, Session& session) {
+  ReferenceRun run(program, state);
+  session.trace.header = run.header(session.tick_us);
+  for (std::uint64_t k = 0; k < session.scans; ++k) {
+    keep(session, run.scan(session.stimulus.events(k)));
+  }
+}
+
+// An image has no source to compare with: the processor alone.
+void run_image(tb::Machine& machine, bool state, Session& session) {
+  tb::MachineRun run(machine, state);
+  session.trace.header = run.header(session.tick_us);
+  for (std::uint64_t k = 0; k < session.scans; ++k) {
+    keep(session, run.scan(session.stimulus.events(k)));
+  }
+}
+
+std::string replay_command(const Options& options, std::int64_t scan) {
+  std::string command =
+      fmt::format("rung run {} --mpu {} --config {} --scans {}", options.program,
+                  options.mpu.empty() ? "3" : options.mpu, options.config, scan + 1);
+  if (!options.dialect.empty()) command += " --dialect " + options.dialect;
+  if (options.paper) command += " --paper";
+  if (!options.stimulus.empty()) command += " --stimulus " + options.stimulus;
+  return command;
+}
+
+// The processor with the reference beside it, to the first difference.
+int run_lockstep(const Program& program, tb::Machine& machine, const Options& options,
+                 Session& session) {
+  tb::Lockstep lockstep(program, machine);
+  tb::MachineRun run(machine, options.state);
+  session.trace.header = run.header(session.tick_us);
+  for (std::uint64_t k = 0; k < session.scans; ++k) {
+    const auto events = session.stimulus.events(k);
+    auto difference = lockstep.scan(events);
+    if (!difference) difference = lockstep.compare_state();
+    if (difference) {
+      fmt::print(stderr, "{}: processor and reference differ\n{}  replay: {}\n", options.program,
+                 tb::describe(*difference), replay_command(options, difference->scan));
+      return kDifferent;
+    }
+    if (session.keep) keep(session, run.record(events, lockstep.result()));
+  }
+  return kDone;
+}
+
+bool read_session(const Options& options, Dialect dialect, Session& session,
+                  Diagnostics& diagnostics) {
+  session.tick_us = tick_of(options).value_or(10000);
+  session.keep = !options.trace.empty();
+  if (!options.stimulus.empty()) {
+    auto stimulus = read_stimulus(options.stimulus, dialect, diagnostics);
+    if (!stimulus) return false;
+    session.stimulus = std::move(*stimulus);
+    session.scans = session.stimulus.scans();
+  }
+  if (options.scans) session.scans = *options.scans;
+  return true;
+}
+
+}  // namespace
+
+int run_command(const Options& options) {
+  const auto mpu = mpu_of(options);
+  Diagnostics diagnostics;
+  Session session;
+  auto input = read_input(options, true, std::nullopt, diagnostics);
+  if (!input || !read_session(options, input->dialect, session, diagnostics)) {
+    return report(diagnostics);
+  }
+
+  std::string what;
+  if (input->image) {
+    const auto target = make_target(std::move(*input->image));
+    run_image(*target->machine, options.state, session);
+    what = fmt::format("{} clocks each", target->image.clocks);
+  } else if (mpu == 0) {
+    run_reference(*input->program, options.state, session);
+    what = "on the reference";
+  } else {
+    auto compiled = compile_input(*input->program, options, diagnostics);
+    if (!compiled) return report(diagnostics);
+    const auto target = make_target(std::move(compiled->image));
+    const int code = run_lockstep(*input->program, *target->machine, options, session);
+    if (code != kDone) return code;
+    what = fmt::format("{} clocks each, equal to the reference", target->image.clocks);
+  }
+  if (session.keep && !write_file(options.trace, to_json_lines(session.trace), diagnostics)) {
+    return report(diagnostics);
+  }
+  if (options.trace != "-") fmt::print("{}: {} scans, {}\n", options.program, session.scans, what);
+  return report(diagnostics);
+}
+
+}  // namespace rung::cli

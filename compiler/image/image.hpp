@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// A compiled program: instruction memory and LUT contents for one processor in one configuration,
+// with the names and source lines that traces, listings and errors need.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "isa/isa.hpp"
+#include "mapping/mapping.hpp"
+#include "rungs/program.hpp"
+#include "schedule/schedule.hpp"
+
+namespace rung::image {
+
+// A device that the program names, and where the processor keeps it.
+struct ImageDevice {
+  std::string name;  // as traces write it
+  DeviceKind kind = DeviceKind::X;
+  int address = 0;  // in bit or word memory
+};
+
+// A source instruction, for listings and messages.
+struct SourceLine {
+  SourcePosition position;
+  std::string text;
+};
+
+// Sizes and counts of INTERFACES.md, `compile --json`.
+struct Statistics {
+  int rungs = 0;
+  int instructions = 0;
+  int contacts = 0;
+  int runs = 0;
+  int lookups = 0;
+  int lut_rows = 0;
+  int bit_devices = 0;  // temporaries included
+  int word_devices = 0;
+};
+
+struct Image {
+  std::string program;  // its file, as the user named it
+  std::string dialect;
+  isa::Mpu mpu = isa::Mpu::Mpu3;
+  bool paper = false;
+  std::string config;
+  std::vector<std::vector<isa::SlotInstruction>> steps;  // [step][slot]
+  std::vector<std::vector<int>> origins;                 // [step][slot]: index into source, or -1
+  std::vector<std::uint8_t> lut;                         // function of each row, from row 0
+  std::vector<ImageDevice> devices;                      // X, Y, M, D, each by number
+  int first_temporary = 0;                               // bit addresses from here are temporaries
+  std::vector<SourceLine> source;                        // the instructions of the program
+  std::int64_t clocks = 0;  // of one scan, the pipeline's filling included
+  Statistics statistics;
+};
+
+// MPU1: one instruction of the source, one step (and one for the second word of MUL and DIV).
+Image assemble_mpu1(const Program& program, const isa::Config& config);
+
+// MPU2 and MPU3: a schedule with addresses. False, and `image` unchanged, when the program needs
+// more than the LUT's rows; mapped without fused look-ups it never does (see order_inputs).
+bool assemble_slots(const Program& program, const mapping::Mapping& mapping,
+                    const schedule::Schedule& schedule, const schedule::Temporaries& temporaries,
+                    const isa::Config& config, isa::Mpu mpu, Image& image);
+
+// One instruction as text: with the paper's names for a row of Table 2 when `paper`, e.g.
+// "LD OR ANI X0 M0 X1"; else e.g. "LUTO 00110010 X0 X1 M0" with the row's function.
+std::string disassemble(const isa::SlotInstruction& instruction, const Image& image);
+
+// The whole program: step, code, instructions, and the source lines they came from.
+std::string listing(const Image& image);
+
+}  // namespace rung::image

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "image/image_file.hpp"
+
+#include <fmt/format.h>
+#include <zlib.h>
+
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+namespace rung::image {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::string_view kMagic = "RUNGIMG";
+constexpr std::size_t kHeader = kMagic.size() + 1 + 4 + 4;
+
+std::string little_endian(std::uint32_t value) {
+  std::string bytes;
+  for (int i = 0; i < 4; ++i) bytes += static_cast<char>(value >> (8 * i) & 0xff);
+  return bytes;
+}
+
+std::uint32_t little_endian(std::string_view bytes) {
+  std::uint32_t value = 0;
+  for (int i = 0; i < 4; ++i) {
+    value |= static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[i])) << (8 * i);
+  }
+  return value;
+}
+
+std::uint32_t checksum(std::string_view bytes) {
+  return static_cast<std::uint32_t>(
+      crc32(0, reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uInt>(bytes.size())));
+}
+
+char kind_letter(DeviceKind kind) { return "XYMD"[static_cast<int>(kind)]; }
+
+DeviceKind kind_of(const std::string& letter) {
+  const auto at = std::string_view("XYMD").find(letter);
+  if (letter.size() != 1 || at == std::string_view::npos) throw std::runtime_error("device kind");
+  return static_cast<DeviceKind>(at);
+}
+
+json to_json(const Image& image) {
+  const isa::Config& config = *isa::find_config(image.config);
+  json out;
+  out["program"] = image.program;
+  out["dialect"] = image.dialect;
+  out["mpu"] = static_cast<int>(image.mpu);
+  out["paper"] = image.paper;
+  out["config"] = image.config;
+  out["lut"] = image.lut;
+  out["clocks"] = image.clocks;
+  out["first_temporary"] = image.first_temporary;
+  json steps = json::array();
+  for (const auto& step : image.steps) {
+    json words = json::array();
+    for (const auto& slot : step) words.push_back(isa::encode(slot, image.mpu, config));
+    steps.push_back(std::move(words));
+  }
+  out["steps"] = std::move(steps);
+  out["origins"] = image.origins;
+  json devices = json::array();
+  for (const ImageDevice& device : image.devices) {
+    devices.push_back({device.name, std::string(1, kind_letter(device.kind)), device.address});
+  }
+  out["devices"] = std::move(devices);
+  json source = json::array();
+  for (const SourceLine& line : image.source) {
+    source.push_back({line.position.line, line.position.column, line.text});
+  }
+  out["source"] = std::move(source);
+  const Statistics& s = image.statistics;
+  out["statistics"] = {s.rungs,   s.instructions, s.contacts,    s.runs,
+                       s.lookups, s.lut_rows,     s.bit_devices, s.word_devices};
+  return out;
+}
+
+void require(bool condition, const char* what) {
+  if (!condition) throw std::runtime_error(what);
+}
+
+// Everything that the processor and the tools index by is checked here, once.
+void check(const Image& image, const isa::Config& config) {
+  require(static_cast<int>(image.steps.size()) <= config.steps(image.mpu), "number of steps");
+  require(image.lut.size() <= isa::constant::lut_rows, "number of LUT rows");
+  require(image.origins.size() == image.steps.size(), "origins");
+  for (std::size_t step = 0; step < image.steps.size(); ++step) {
+    require(static_cast<int>(image.steps[step].size()) == isa::slots(image.mpu), "slots of a step");
+    require(image.origins[step].size() == image.steps[step].size(), "origins of a step");
+    for (const int origin : image.origins[step]) {
+      require(origin >= -1 && origin < static_cast<int>(image.source.size()), "origin");
+    }
+    for (const auto& slot : image.steps[step]) {
+      require(!mapping::is_lookup(slot.opcode) || slot.row < image.lut.size(), "LUT row");
+    }
+  }
+  for (const ImageDevice& device : image.devices) {
+    const int size = device.kind == DeviceKind::D ? config.word_devices : config.bit_devices;
+    require(device.address >= 0 && device.address < size, "device address");
+  }
+}
+
+Image from_json(const json& in) {
+  Image image;
+  image.program = in.at("program").get<std::string>();
+  image.dialect = in.at("dialect").get<std::string>();
+  require(image.dialect == "paper" || image.dialect == "fx" || image.dialect == "q", "dialect");
+  const int mpu = in.at("mpu").get<int>();
+  require(mpu >= 1 && mpu <= 3, "processor");
+  image.mpu = static_cast<isa::Mpu>(mpu);
+  image.paper = in.at("paper").get<bool>();
+  image.config = in.at("config").get<std::string>();
+  const isa::Config* config = isa::find_config(image.config);
+  require(config != nullptr, "configuration");
+  image.lut = in.at("lut").get<std::vector<std::uint8_t>>();
+  image.clocks = in.at("clocks").get<std::int64_t>();
+  image.first_temporary = in.at("first_temporary").get<int>();
+  for (const json& words : in.at("steps")) {
+    auto& step = image.steps.emplace_back();
+    for (const json& word : words) {
+      const auto decoded = isa::decode(word.get<std::uint64_t>(), image.mpu, *config);
+      require(decoded.has_value(), "instruction");
+      step.push_back(*decoded);
+    }
+  }
+  image.origins = in.at("origins").get<std::vector<std::vector<int>>>();
+  for (const json& device : in.at("devices")) {
+    image.devices.push_back({device.at(0).get<std::string>(),
+                             kind_of(device.at(1).get<std::string>()), device.at(2).get<int>()});
+  }
+  for (const json& line : in.at("source")) {
+    image.source.push_back(
+        {{line.at(0).get<int>(), line.at(1).get<int>()}, line.at(2).get<std::string>()});
+  }
+  const json& s = in.at("statistics");
+  image.statistics = {s.at(0).get<int>(), s.at(1).get<int>(), s.at(2).get<int>(),
+                      s.at(3).get<int>(), s.at(4).get<int>(), s.at(5).get<int>(),
+                      s.at(6).get<int>(), s.at(7).get<int>()};
+  check(image, *config);
+  return image;
+}
+
+}  // namespace
+
+bool is_image(std::string_view bytes) { return bytes.substr(0, kMagic.size()) == kMagic; }
+
+std::string to_bytes(const Image& image) {
+  const std::vector<std::uint8_t> cbor = json::to_cbor(to_json(image));
+  const std::string payload(cbor.begin(), cbor.end());
+  std::string bytes(kMagic);
+  bytes += static_cast<char>(kFormatVersion);
+  bytes += little_endian(static_cast<std::uint32_t>(payload.size()));
+  bytes += little_endian(checksum(payload));
+  return bytes + payload;
+}
+
+std::optional<Image> from_bytes(std::string_view bytes, const std::string& file,
+                                Diagnostics& diagnostics) {
+  const auto refuse = [&](std::string what) {
+    diagnostics.error(file, {}, std::move(what), "compile the program again");
+    return std::nullopt;
+  };
+  if (!is_image(bytes)) return refuse("this is not an image");
+  if (bytes.size() < kHeader) return refuse("the image is cut short: its header is not whole");
+  const auto version = static_cast<std::uint8_t>(bytes[kMagic.size()]);
+  if (version != kFormatVersion) {
+    return refuse(fmt::format("the image has format version {}; this program reads version {}",
+                              version, kFormatVersion));
+  }
+  const std::uint32_t length = little_endian(bytes.substr(kMagic.size() + 1, 4));
+  const std::uint32_t crc = little_endian(bytes.substr(kMagic.size() + 5, 4));
+  const std::string_view payload = bytes.substr(kHeader);
+  if (payload.size() != length) {
+    return refuse(
+        fmt::format("the image is damaged: {} bytes where it says {}", payload.size(), length));
+  }
+  if (checksum(payload) != crc) return refuse("the image is damaged: its CRC does not match");
+  try {
+    return from_json(json::from_cbor(payload.begin(), payload.end()));
+  } catch (const std::exception& problem) {
+    return refuse(fmt::format("the image holds what this program cannot use: {}", problem.what()));
+  }
+}
+
+}  // namespace rung::image

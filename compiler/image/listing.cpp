@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include "image/image.hpp"
+
+namespace rung::image {
+namespace {
+
+using isa::Opcode;
+using isa::SlotInstruction;
+using isa::WordKind;
+
+std::string bit_name(int address, const Image& image) {
+  for (const ImageDevice& device : image.devices) {
+    if (device.kind != DeviceKind::D && device.address == address) return device.name;
+  }
+  return fmt::format("t{}", address - image.first_temporary);
+}
+
+std::string word_name(int address, const Image& image) {
+  for (const ImageDevice& device : image.devices) {
+    if (device.kind == DeviceKind::D && device.address == address) return device.name;
+  }
+  return fmt::format("w{}", address);
+}
+
+std::string operand(const isa::BitOperand& operand, const Image& image) {
+  return operand.n0 ? std::string("N0") : bit_name(operand.device, image);
+}
+
+std::string paper_lookup(const SlotInstruction& instruction, const Image& image) {
+  static constexpr std::string_view kLater[] = {"NOP", "AND", "ANI", "OR", "ORI"};
+  const int row = instruction.row;
+  return fmt::format("{} {} {} {} {} {}", (row >> 6 & 1) != 0 ? "LDI" : "LD", kLater[row >> 3 & 7],
+                     kLater[row & 7], operand(instruction.a, image), operand(instruction.b, image),
+                     operand(instruction.c, image));
+}
+
+std::string word_operands(const SlotInstruction& instruction, const Image& image) {
+  const std::string constant = fmt::format("K{}", static_cast<std::int16_t>(instruction.source));
+  const std::string rs = word_name(instruction.rs, image);
+  std::string first;
+  std::string second;
+  switch (instruction.kind) {
+    case WordKind::Devices:
+      first = rs;
+      second = word_name(instruction.source, image);
+      break;
+    case WordKind::DeviceConstant:
+      first = rs;
+      second = constant;
+      break;
+    case WordKind::ConstantDevice:
+      first = constant;
+      second = rs;
+      break;
+  }
+  return instruction.opcode == Opcode::Mv ? second : first + " " + second;
+}
+
+std::string word_instruction(const SlotInstruction& instruction, const Image& image) {
+  std::string text(isa::info(instruction.opcode).name);
+  if (isa::info(instruction.opcode).gate != isa::Gate::Unit) {
+    text += " " + word_operands(instruction, image);
+  }
+  if (instruction.opcode != Opcode::Muls && instruction.opcode != Opcode::Divs) {
+    text += " " + word_name(instruction.rd, image);
+  }
+  return text;
+}
+
+std::string lookup(const SlotInstruction& instruction, const Image& image) {
+  std::string text = fmt::format("{} {:08b} {} {} {}", isa::info(instruction.opcode).name,
+                                 image.lut.at(instruction.row), operand(instruction.a, image),
+                                 operand(instruction.b, image), operand(instruction.c, image));
+  if (instruction.opcode != Opcode::Lut) text += " -> " + bit_name(instruction.c.device, image);
+  return text;
+}
+
+}  // namespace
+
+std::string disassemble(const SlotInstruction& instruction, const Image& image) {
+  const isa::OpcodeInfo& info = isa::info(instruction.opcode);
+  if (mapping::is_lookup(instruction.opcode)) {
+    return image.paper ? paper_lookup(instruction, image) : lookup(instruction, image);
+  }
+  switch (info.format) {
+    case isa::Format::None:
+      return std::string(info.name);
+    case isa::Format::Word:
+      return word_instruction(instruction, image);
+    case isa::Format::Bit:
+      break;
+  }
+  const bool writes = instruction.opcode == Opcode::Out || instruction.opcode == Opcode::Set ||
+                      instruction.opcode == Opcode::Rst;
+  const isa::BitOperand& device =
+      writes && image.mpu != isa::Mpu::Mpu1 ? instruction.c : instruction.a;
+  return fmt::format("{} {}", info.name, bit_name(device.device, image));
+}
+
+std::string listing(const Image& image) {
+  const isa::Config& config = *isa::find_config(image.config);
+  const int digits = (isa::slot_bits(image.mpu, config) + 3) / 4;
+  std::string out =
+      fmt::format("; {}: MPU{}, configuration {}, {} steps, {} clocks a scan\n", image.program,
+                  static_cast<int>(image.mpu), image.config, image.steps.size(), image.clocks);
+  for (std::size_t step = 0; step < image.steps.size(); ++step) {
+    for (std::size_t slot = 0; slot < image.steps[step].size(); ++slot) {
+      const SlotInstruction& instruction = image.steps[step][slot];
+      std::string line = slot == 0 ? fmt::format("{:5}", step) : std::string(5, ' ');
+      line += fmt::format("  {:0{}x}  {:<36}", isa::encode(instruction, image.mpu, config), digits,
+                          disassemble(instruction, image));
+      const int origin = image.origins[step][slot];
+      if (origin >= 0) {
+        const SourceLine& source = image.source[origin];
+        line += fmt::format("; {}: {}", source.position.line, source.text);
+      }
+      line.erase(line.find_last_not_of(' ') + 1);
+      out += line + "\n";
+    }
+  }
+  return out;
+}
+
+}  // namespace rung::image

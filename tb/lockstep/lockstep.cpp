@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "lockstep/lockstep.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace rung::tb {
+
+std::string describe(const Difference& difference) {
+  std::string text = fmt::format("scan {}: {}: expected {}, got {}\n", difference.scan,
+                                 difference.what, difference.expected, difference.got);
+  if (!difference.where.empty()) text += fmt::format("  processor: {}\n", difference.where);
+  if (!difference.source.empty()) text += fmt::format("  reference: {}\n", difference.source);
+  return text;
+}
+
+Lockstep::Lockstep(const Program& program, Machine& machine)
+    : program_(program), machine_(machine), reference_(program) {
+  devices_.resize(machine.image().devices.size());
+  for (const Device device : named_devices(program)) {
+    const int index = machine.find(device);
+    if (index >= 0) devices_[index] = device;
+  }
+}
+
+std::optional<Difference> Lockstep::scan(std::span<const StimulusEvent> events) {
+  ++scan_;
+  for (const StimulusEvent& event : events) reference_.set(event.device, event.value);
+  machine_.apply(events);
+  reference_.run_scan();
+  result_ = machine_.run_scan();
+
+  auto difference =
+      machine_.image().mpu == isa::Mpu::Mpu1 ? compare_in_order() : compare_by_device();
+  if (difference) return difference;
+  const auto flag = [](bool on) { return std::string(on ? "1" : "0"); };
+  if (result_.error != reference_.error()) {
+    return Difference{scan_, {}, {}, "error flag", flag(reference_.error()), flag(result_.error)};
+  }
+  const std::string clocks = std::to_string(machine_.image().clocks);
+  for (const std::uint32_t counted : {result_.clocks, result_.counted}) {
+    if (std::to_string(counted) != clocks) {
+      return Difference{scan_, {}, {}, "clocks", clocks, std::to_string(counted)};
+    }
+  }
+  return compare_devices(true);
+}
+
+std::string Lockstep::source_of(std::size_t instruction) const {
+  const Instruction& source = program_.instructions[instruction];
+  return fmt::format("{}:{}:{}: {}", program_.file, source.position.line, source.position.column,
+                     source.text);
+}
+
+// Null stands for a write that one of the two does not have.
+std::optional<Difference> Lockstep::compare_write(const ReferenceWrite* expected,
+                                                  const MachineWrite* got) {
+  const auto show = [&](Device device, std::int16_t value) {
+    return fmt::format("{} = {}", device_name(device, program_.dialect), value);
+  };
+  if (expected != nullptr && got != nullptr && devices_[got->device] == expected->device &&
+      got->value == expected->value) {
+    return std::nullopt;
+  }
+  Difference difference;
+  difference.scan = scan_;
+  difference.what = "write";
+  difference.expected = expected ? show(expected->device, expected->value) : "no write";
+  difference.got = got ? show(devices_[got->device], got->value) : "no write";
+  if (got != nullptr) difference.where = machine_.describe(got->step, got->slot);
+  if (expected != nullptr) difference.source = source_of(expected->instruction);
+  return difference;
+}
+
+std::optional<Difference> Lockstep::compare_in_order() {
+  const auto& expected = reference_.writes();
+  const auto& got = machine_.writes();
+  for (std::size_t i = 0; i < std::max(expected.size(), got.size()); ++i) {
+    auto difference = compare_write(i < expected.size() ? &expected[i] : nullptr,
+                                    i < got.size() ? &got[i] : nullptr);
+    if (difference) return difference;
+  }
+  return std::nullopt;
+}
+
+std::optional<Difference> Lockstep::compare_by_device() {
+  std::vector<std::vector<const ReferenceWrite*>> expected(devices_.size());
+  for (const ReferenceWrite& write : reference_.writes()) {
+    expected[machine_.find(write.device)].push_back(&write);
+  }
+  std::vector<std::size_t> next(devices_.size(), 0);
+  for (const MachineWrite& write : machine_.writes()) {
+    const auto& queue = expected[write.device];
+    std::size_t& at = next[write.device];
+    auto difference = compare_write(at < queue.size() ? queue[at] : nullptr, &write);
+    if (difference) return difference;
+    ++at;
+  }
+  for (std::size_t device = 0; device < devices_.size(); ++device) {
+    if (next[device] < expected[device].size()) {
+      return compare_write(expected[device][next[device]], nullptr);
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<Difference> Lockstep::compare_state() { return compare_devices(false); }
+
+std::optional<Difference> Lockstep::compare_devices(bool outputs_only) {
+  for (std::size_t i = 0; i < devices_.size(); ++i) {
+    if (outputs_only && devices_[i].kind != DeviceKind::Y) continue;
+    const std::int16_t expected = reference_.get(devices_[i]);
+    const std::int16_t got = machine_.value(i);
+    if (expected == got) continue;
+    return Difference{scan_,
+                      {},
+                      {},
+                      fmt::format("value of {} after the scan", machine_.image().devices[i].name),
+                      std::to_string(expected),
+                      std::to_string(got)};
+  }
+  return std::nullopt;
+}
+
+}  // namespace rung::tb

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// A processor beside the reference, scan by scan, stopped at the first difference.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+
+#include "lockstep/machine.hpp"
+#include "reference/reference.hpp"
+
+namespace rung::tb {
+
+// The first place where processor and reference differ.
+struct Difference {
+  std::int64_t scan = 0;
+  std::string where;   // step, slot, instruction and source line on the processor, if there is one
+  std::string source;  // source line that the reference executed, if there is one
+  std::string what;    // "write of M0", "clocks", ...
+  std::string expected;  // as the reference has it
+  std::string got;
+};
+// Several lines, as `run` and the tests show it.
+std::string describe(const Difference& difference);
+
+class Lockstep {
+ public:
+  // `program` is what `machine` was compiled from. Both must outlive this.
+  Lockstep(const Program& program, Machine& machine);
+
+  // Gives both the same events, runs one scan on both and compares: every write (on MPU1 in order,
+  // on MPU2 and MPU3 in order for each device), outputs, the error flag, and the clocks with those
+  // that the compiler has counted.
+  std::optional<Difference> scan(std::span<const StimulusEvent> events);
+  // Compares every device that the program names.
+  std::optional<Difference> compare_state();
+
+  const Reference& reference() const { return reference_; }
+  // Of the scan that ran last.
+  const ScanResult& result() const { return result_; }
+
+ private:
+  std::optional<Difference> compare_in_order();
+  std::optional<Difference> compare_by_device();
+  std::optional<Difference> compare_write(const ReferenceWrite* expected, const MachineWrite* got);
+  std::optional<Difference> compare_devices(bool outputs_only);
+  std::string source_of(std::size_t instruction) const;
+
+  const Program& program_;
+  Machine& machine_;
+  Reference reference_;
+  std::vector<Device> devices_;  // of Image::devices
+  ScanResult result_;
+  std::int64_t scan_ = -1;
+};
+
+}  // namespace rung::tb

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// A processor that runs an image: devices by name instead of by address.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "harness/processor.hpp"
+#include "image/image.hpp"
+#include "trace/recorder.hpp"
+#include "trace/stimulus.hpp"
+
+namespace rung::tb {
+
+// One executed write of a device that the program names.
+struct MachineWrite {
+  int device = 0;  // index into Image::devices
+  std::int16_t value = 0;
+  std::uint32_t step = 0;
+  std::uint8_t slot = 0;
+};
+
+class Machine {
+ public:
+  // Loads `image` into `processor`, which is its processor in its configuration; all devices are 0.
+  // Both must outlive this.
+  Machine(const image::Image& image, Processor& processor);
+  // Sets what it has used back to 0, so that the processor is as new for the next machine.
+  ~Machine();
+  Machine(const Machine&) = delete;
+  Machine& operator=(const Machine&) = delete;
+
+  // Gives devices their values before a scan; devices that the image does not have are ignored.
+  void apply(std::span<const StimulusEvent> events);
+  // One scan; `writes()` holds what it wrote, in the order of steps and in a step by slot.
+  ScanResult run_scan();
+
+  const std::vector<MachineWrite>& writes() const { return writes_; }
+  // Reads a device, by its index in Image::devices, back from the processor.
+  std::int16_t value(std::size_t device);
+  // Index of the device, or -1.
+  int find(Device device) const;
+
+  const image::Image& image() const { return image_; }
+  // "step 3, slot 1: LUTO ... (line 4: OUT Y0)"
+  std::string describe(std::uint32_t step, std::uint8_t slot) const;
+
+ private:
+  void set(const image::ImageDevice& device, std::int16_t value);
+
+  const image::Image& image_;
+  Processor& processor_;
+  std::vector<int> bit_devices_;  // address -> index into Image::devices, or -1
+  std::vector<int> word_devices_;
+  std::map<Device, int> by_device_;
+  std::vector<MachineWrite> writes_;
+};
+
+// A machine as an engine that gives a trace.
+class MachineRun {
+ public:
+  MachineRun(Machine& machine, bool with_state);
+
+  TraceHeader header(std::int64_t tick_us) const;
+  // Applies the events, runs one scan and gives what happened in it, the clocks too.
+  TraceScan scan(std::span<const StimulusEvent> events);
+  // The same for a scan that has already run.
+  TraceScan record(std::span<const StimulusEvent> events, const ScanResult& result);
+
+ private:
+  Machine& machine_;
+  bool with_state_;
+  TraceRecorder recorder_;
+};
+
+}  // namespace rung::tb

@@ -2,7 +2,7 @@
 // MPU3 (paper, section 4.3): two MPU2 slots side by side: two look-ups, writes or word
 // instructions a clock. A scan: start_i is sampled while busy_o is 0; the clocks from that edge to
 // the first that samples done_o as 1 are a constant of the program, and clocks_o counts them. The
-// load port is described in core/load_port.v. rst_ni is synchronous and has to last 4 clocks; it
+// load port is described in core/load_port.v. rst_ni is synchronous and has to last 5 clocks; it
 // leaves all memories alone.
 `default_nettype none
 

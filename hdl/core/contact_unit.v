@@ -18,8 +18,9 @@ module contact_unit #(
     output wire [     BIT_ADDR-1:0] d1_addr_o,
     // ID2: memory data
     input  wire                     d2_bank_i,
-    // the devices that are written: steps in ID2, in EX, and the one before
+    // the devices that are written: steps in ID2, ID3 and EX, and the one before
     output wire [     BIT_ADDR-1:0] d2_dest_o,
+    output wire [     BIT_ADDR-1:0] d3_dest_o,
     output wire [     BIT_ADDR-1:0] x_dest_o,
     input  wire                     w_we_i,
     input  wire                     w_value_i,
@@ -39,7 +40,7 @@ module contact_unit #(
   wire d1_u = d1_fields_i[BIT_U_AT];
   assign d1_addr_o = d1_fields_i[A_AT+:BIT_ADDR];
 
-  // ---- ID2: decode -----------------------------------------------------------------------------
+  // ---- ID2 ---------------------------------------------------------------------------------------
   reg [`RUNG_OP_BITS-1:0] d2_op_q;
   reg d2_u_q;
   reg [BIT_ADDR-1:0] d2_dest_q;
@@ -50,14 +51,25 @@ module contact_unit #(
   end
   assign d2_dest_o = d2_dest_q;
 
-  wire d2_block = d2_op_q == `RUNG_OP_ANB || d2_op_q == `RUNG_OP_ORB;
-  wire d2_branch = d2_op_q == `RUNG_OP_MRD || d2_op_q == `RUNG_OP_MPP;
-  wire d2_invert = d2_op_q == `RUNG_OP_LDI || d2_op_q == `RUNG_OP_ANI || d2_op_q == `RUNG_OP_ORI;
-  wire d2_push_block = d2_op_q == `RUNG_OP_LD || d2_op_q == `RUNG_OP_LDI;
-  wire d2_and = d2_op_q == `RUNG_OP_AND || d2_op_q == `RUNG_OP_ANI || d2_op_q == `RUNG_OP_ANB;
-  wire d2_or = d2_op_q == `RUNG_OP_OR || d2_op_q == `RUNG_OP_ORI || d2_op_q == `RUNG_OP_ORB;
-  wire d2_set = d2_op_q == `RUNG_OP_SET;
-  wire d2_rst = d2_op_q == `RUNG_OP_RST;
+  // ---- ID3: decode -------------------------------------------------------------------------------
+  reg [`RUNG_OP_BITS-1:0] d3_op_q;
+  reg d3_u_q;
+  reg [BIT_ADDR-1:0] d3_dest_q;
+  always @(posedge clk_i) begin
+    d3_op_q   <= d2_op_q;
+    d3_u_q    <= d2_u_q;
+    d3_dest_q <= d2_dest_q;
+  end
+  assign d3_dest_o = d3_dest_q;
+
+  wire d3_block = d3_op_q == `RUNG_OP_ANB || d3_op_q == `RUNG_OP_ORB;
+  wire d3_branch = d3_op_q == `RUNG_OP_MRD || d3_op_q == `RUNG_OP_MPP;
+  wire d3_invert = d3_op_q == `RUNG_OP_LDI || d3_op_q == `RUNG_OP_ANI || d3_op_q == `RUNG_OP_ORI;
+  wire d3_push_block = d3_op_q == `RUNG_OP_LD || d3_op_q == `RUNG_OP_LDI;
+  wire d3_and = d3_op_q == `RUNG_OP_AND || d3_op_q == `RUNG_OP_ANI || d3_op_q == `RUNG_OP_ANB;
+  wire d3_or = d3_op_q == `RUNG_OP_OR || d3_op_q == `RUNG_OP_ORI || d3_op_q == `RUNG_OP_ORB;
+  wire d3_set = d3_op_q == `RUNG_OP_SET;
+  wire d3_rst = d3_op_q == `RUNG_OP_RST;
 
   // ---- EX --------------------------------------------------------------------------------------
   reg x_block_q, x_branch_q, x_invert_q, x_load_q, x_and_q, x_or_q;
@@ -68,20 +80,20 @@ module contact_unit #(
   reg [BLOCKS-1:0] block_q;
   reg [BRANCHES-1:0] branch_q;
   always @(posedge clk_i) begin
-    x_block_q <= d2_block;
-    x_branch_q <= d2_branch;
-    x_invert_q <= d2_invert;
-    x_load_q <= d2_push_block || d2_branch;
-    x_and_q <= d2_and;
-    x_or_q <= d2_or;
-    x_push_block_q <= d2_push_block;
-    x_push_branch_q <= d2_op_q == `RUNG_OP_MPS;
-    x_pop_branch_q <= d2_op_q == `RUNG_OP_MPP;
-    x_out_q <= d2_op_q == `RUNG_OP_OUT;
-    x_set_q <= d2_set;
-    x_gated_q <= (d2_set || d2_rst) && !d2_u_q;
-    x_always_q <= ((d2_set || d2_rst) && d2_u_q) || d2_op_q == `RUNG_OP_OUT;
-    x_dest_q <= d2_dest_q;
+    x_block_q <= d3_block;
+    x_branch_q <= d3_branch;
+    x_invert_q <= d3_invert;
+    x_load_q <= d3_push_block || d3_branch;
+    x_and_q <= d3_and;
+    x_or_q <= d3_or;
+    x_push_block_q <= d3_push_block;
+    x_push_branch_q <= d3_op_q == `RUNG_OP_MPS;
+    x_pop_branch_q <= d3_op_q == `RUNG_OP_MPP;
+    x_out_q <= d3_op_q == `RUNG_OP_OUT;
+    x_set_q <= d3_set;
+    x_gated_q <= (d3_set || d3_rst) && !d3_u_q;
+    x_always_q <= ((d3_set || d3_rst) && d3_u_q) || d3_op_q == `RUNG_OP_OUT;
+    x_dest_q <= d3_dest_q;
   end
   assign x_dest_o = x_dest_q;
 
@@ -94,10 +106,11 @@ module contact_unit #(
       .clk_i(clk_i),
       .d1_addr_i(d1_addr_o),
       .d2_dest_i(d2_dest_q),
+      .d3_dest_i(d3_dest_q),
       .x_dest_i(x_dest_q),
       .d2_bank_i(d2_bank_i),
-      .d2_device_i(1'b1),
-      .d2_other_i(1'b0),
+      .d3_device_i(1'b1),
+      .d3_other_i(1'b0),
       .x_we_i(x_we_o),
       .w_we_i(w_we_i),
       .w_data_i(w_value_i),

@@ -154,7 +154,7 @@ module core #(
   wire [SLOTS*READS*BIT_ADDR-1:0] d1_bit_addr;
   wire [SLOTS*READS*SLOTS-1:0] d2_bit_bank;
   wire [SLOTS*SLOTS-1:0] d2_bit_cross;
-  wire [SLOTS*BIT_ADDR-1:0] d2_bit_dest, x_bit_dest;
+  wire [SLOTS*BIT_ADDR-1:0] d2_bit_dest, d3_bit_dest, x_bit_dest;
   wire [SLOTS-1:0] x_bit_we, x_bit_bank, w_bit_we, w_bit_bank;
 
   // A slot reads the device that it writes anyway: it is operand c.
@@ -178,7 +178,7 @@ module core #(
   wire unused_bit_cross = &{1'b0, d2_bit_cross};
 
   wire [SLOTS*2*WORD_ADDR-1:0] d1_word_addr;
-  wire [SLOTS*WORD_ADDR-1:0] d1_word_dest, d2_word_dest, x_word_dest;
+  wire [SLOTS*WORD_ADDR-1:0] d1_word_dest, d2_word_dest, d3_word_dest, x_word_dest;
   wire [SLOTS*2*SLOTS*BITS-1:0] d2_word_bank;
   wire [SLOTS*SLOTS*BITS-1:0] d2_word_cross;
   wire [SLOTS-1:0] x_word_we, w_word_we;
@@ -257,6 +257,7 @@ module core #(
           .d2_word_bank_i(d2_word_bank[s*2*SLOTS*BITS+:2*SLOTS*BITS]),
           .d2_word_cross_i(d2_word_cross[s*SLOTS*BITS+:SLOTS*BITS]),
           .d2_bit_dest_o(d2_bit_dest[s*BIT_ADDR+:BIT_ADDR]),
+          .d3_bit_dest_o(d3_bit_dest[s*BIT_ADDR+:BIT_ADDR]),
           .x_bit_dest_o(x_bit_dest[s*BIT_ADDR+:BIT_ADDR]),
           .x_bit_we_o(x_bit_we[s]),
           .x_bit_bank_o(x_bit_bank[s]),
@@ -264,6 +265,7 @@ module core #(
           .w_bit_value_o(w_bit_value[s]),
           .w_bit_bank_o(w_bit_bank[s]),
           .d2_word_dest_o(d2_word_dest[s*WORD_ADDR+:WORD_ADDR]),
+          .d3_word_dest_o(d3_word_dest[s*WORD_ADDR+:WORD_ADDR]),
           .x_word_dest_o(x_word_dest[s*WORD_ADDR+:WORD_ADDR]),
           .x_word_we_o(x_word_we[s]),
           .x_word_bank_o(x_word_bank[s*BITS+:BITS]),
@@ -271,12 +273,14 @@ module core #(
           .w_word_value_o(w_word_value[s*BITS+:BITS]),
           .w_word_bank_o(w_word_bank[s*BITS+:BITS]),
           .d2_bit_dest_i(d2_bit_dest),
+          .d3_bit_dest_i(d3_bit_dest),
           .x_bit_dest_i(x_bit_dest),
           .x_bit_we_i(x_bit_we),
           .w_bit_we_i(w_bit_we),
           .w_bit_value_i(w_bit_value),
           .w_bit_bank_i(w_bit_bank),
           .d2_word_dest_i(d2_word_dest),
+          .d3_word_dest_i(d3_word_dest),
           .x_word_dest_i(x_word_dest),
           .x_word_we_i(x_word_we),
           .w_word_we_i(w_word_we),
@@ -302,8 +306,8 @@ module core #(
 
 `ifdef RUNG_RETIRE
   // ---- retire port ----------------------------------------------------------------------------
-  reg [SLOTS-1:0] d1_retire, d2_retire_q, x_retire_q;
-  reg [15:0] d2_number_q, x_number_q;
+  reg [SLOTS-1:0] d1_retire, d2_retire_q, d3_retire_q, x_retire_q;
+  reg [15:0] d2_number_q, d3_number_q, x_number_q;
   integer r;
   always @* begin
     for (r = 0; r < SLOTS; r = r + 1) begin
@@ -317,9 +321,11 @@ module core #(
   end
   always @(posedge clk_i) begin
     d2_retire_q <= d1_retire & {SLOTS{rst_ni}};
-    x_retire_q  <= d2_retire_q & {SLOTS{rst_ni}};
+    d3_retire_q <= d2_retire_q & {SLOTS{rst_ni}};
+    x_retire_q  <= d3_retire_q & {SLOTS{rst_ni}};
     d2_number_q <= d1_number;
-    x_number_q  <= d2_number_q;
+    d3_number_q <= d2_number_q;
+    x_number_q  <= d3_number_q;
   end
   assign retire_valid_o   = x_retire_q;
   assign retire_step_o    = {SLOTS{x_number_q}};

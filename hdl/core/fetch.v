@@ -44,6 +44,7 @@ module fetch #(
   reg busy_q;
   reg done_q;
   reg d2_end_q;
+  reg d3_end_q;
   reg [31:0] clocks_q;
   reg [PC_BITS:0] length_q;
 
@@ -68,7 +69,7 @@ module fetch #(
     end else if (scan_start_o) begin
       busy_q <= 1'b1;
       done_q <= 1'b0;
-    end else if (d2_end_q) begin
+    end else if (d3_end_q) begin
       busy_q <= 1'b0;
       done_q <= 1'b1;
     end
@@ -146,6 +147,7 @@ module fetch #(
     end
     // A step that holds ID1 is not the end, so the token needs no hold of its own.
     d2_end_q <= d1_end_q && rst_ni;
+    d3_end_q <= d2_end_q && rst_ni;
   end
 
   assign d1_step_o = d1_step_q;

@@ -6,7 +6,7 @@
 //   4 program length in steps (write only)
 // Device accesses go down slot 0's pipeline as instructions, so that the banks stay consistent and
 // no memory needs another port; a scan may start while they are on their way. A read answers with
-// load_rvalid_o in the fifth clock after the edge that takes it.
+// load_rvalid_o in the sixth clock after the edge that takes it.
 `default_nettype none
 `include "rung_isa.vh"
 
@@ -95,18 +95,20 @@ module load_port #(
   end
   assign l_instruction_o = l_instruction;
 
-  // The read's way through ID1, ID2 and EX.
+  // The read's way through ID1, ID2, ID3 and EX.
   wire l_read = l_valid_q && !l_write_q && (l_space_q == SPACE_BITS || l_space_q == SPACE_WORDS);
-  reg d1_read_q, d2_read_q, x_read_q, w_read_q;
-  reg d1_word_q, d2_word_q, x_word_q, w_word_q;
+  reg d1_read_q, d2_read_q, d3_read_q, x_read_q, w_read_q;
+  reg d1_word_q, d2_word_q, d3_word_q, x_word_q, w_word_q;
   always @(posedge clk_i) begin
     if (!rst_ni) begin
-      {d1_read_q, d2_read_q, x_read_q, w_read_q} <= 4'd0;
+      {d1_read_q, d2_read_q, d3_read_q, x_read_q, w_read_q} <= 5'd0;
     end else begin
-      {d1_read_q, d2_read_q, x_read_q, w_read_q} <= {l_read, d1_read_q, d2_read_q, x_read_q};
+      {d1_read_q, d2_read_q, d3_read_q, x_read_q, w_read_q} <= {
+        l_read, d1_read_q, d2_read_q, d3_read_q, x_read_q
+      };
     end
-    {d1_word_q, d2_word_q, x_word_q, w_word_q} <= {
-      l_space_q == SPACE_WORDS, d1_word_q, d2_word_q, x_word_q
+    {d1_word_q, d2_word_q, d3_word_q, x_word_q, w_word_q} <= {
+      l_space_q == SPACE_WORDS, d1_word_q, d2_word_q, d3_word_q, x_word_q
     };
   end
 

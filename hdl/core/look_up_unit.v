@@ -24,10 +24,12 @@ module look_up_unit #(
     // ID2: memory data, c lowest, and for each operand bank 0 lowest; the LUT's row
     input  wire [       3*SLOTS-1:0] d2_bank_i,
     input  wire [               7:0] d2_row_i,
-    // the devices that all slots write: steps in ID2, in EX, and the one before
+    // the devices that all slots write: steps in ID2, ID3 and EX, and the one before
     output wire [      BIT_ADDR-1:0] d2_dest_o,
+    output wire [      BIT_ADDR-1:0] d3_dest_o,
     output wire [      BIT_ADDR-1:0] x_dest_o,
     input  wire [SLOTS*BIT_ADDR-1:0] d2_dest_i,
+    input  wire [SLOTS*BIT_ADDR-1:0] d3_dest_i,
     input  wire [SLOTS*BIT_ADDR-1:0] x_dest_i,
     input  wire [         SLOTS-1:0] x_we_i,
     input  wire [         SLOTS-1:0] w_we_i,
@@ -44,64 +46,78 @@ module look_up_unit #(
   localparam LOOKUP = 1;
   `include "fields.vh"
 
-  // ---- ID1: decode -----------------------------------------------------------------------------
+  // ---- ID1 -----------------------------------------------------------------------------
   wire [BIT_ADDR:0] d1_a = d1_fields_i[A_AT+:OPERAND_BITS];
   wire [BIT_ADDR:0] d1_b = d1_fields_i[B_AT+:OPERAND_BITS];
   wire [BIT_ADDR:0] d1_c = d1_fields_i[C_AT+:OPERAND_BITS];
-  wire d1_u = d1_fields_i[BIT_U_AT];
   assign d1_row_o  = d1_fields_i[ROW_AT+:`RUNG_ROW_BITS];
   assign d1_addr_o = {d1_a[BIT_ADDR-1:0], d1_b[BIT_ADDR-1:0], d1_c[BIT_ADDR-1:0]};
 
-  reg d1_use_row, d1_use_exc, d1_one, d1_exc_we, d1_we, d1_we_if_1, d1_clear;
+  // ---- ID2: decode -------------------------------------------------------------------------------
+  reg [`RUNG_OP_BITS-1:0] d2_op_q;
+  reg [2:0] d2_n0_q;
+  reg d2_u_q;
+  reg [BIT_ADDR-1:0] d2_dest_q;
+  always @(posedge clk_i) begin
+    d2_op_q   <= d1_op_i;
+    d2_n0_q   <= {d1_a[BIT_ADDR], d1_b[BIT_ADDR], d1_c[BIT_ADDR]};
+    d2_u_q    <= d1_fields_i[BIT_U_AT];
+    d2_dest_q <= d1_c[BIT_ADDR-1:0];
+  end
+  assign d2_dest_o = d2_dest_q;
+
+  reg d2_use_row, d2_use_exc, d2_one, d2_exc_we, d2_we, d2_we_if_1, d2_clear;
   always @* begin
-    d1_use_row = 1'b0;
-    d1_use_exc = 1'b0;
-    d1_one = 1'b0;
-    d1_exc_we = 1'b0;
-    d1_we = 1'b0;
-    d1_we_if_1 = 1'b0;
-    d1_clear = 1'b0;
-    case (d1_op_i)
+    d2_use_row = 1'b0;
+    d2_use_exc = 1'b0;
+    d2_one = 1'b0;
+    d2_exc_we = 1'b0;
+    d2_we = 1'b0;
+    d2_we_if_1 = 1'b0;
+    d2_clear = 1'b0;
+    case (d2_op_q)
       `RUNG_OP_LUT, `RUNG_OP_LUTO, `RUNG_OP_LUTS, `RUNG_OP_LUTR: begin
-        d1_use_row = 1'b1;
-        d1_exc_we = 1'b1;
-        d1_we = d1_op_i == `RUNG_OP_LUTO;
-        d1_we_if_1 = d1_op_i == `RUNG_OP_LUTS || d1_op_i == `RUNG_OP_LUTR;
-        d1_clear = d1_op_i == `RUNG_OP_LUTR;
+        d2_use_row = 1'b1;
+        d2_exc_we = 1'b1;
+        d2_we = d2_op_q == `RUNG_OP_LUTO;
+        d2_we_if_1 = d2_op_q == `RUNG_OP_LUTS || d2_op_q == `RUNG_OP_LUTR;
+        d2_clear = d2_op_q == `RUNG_OP_LUTR;
       end
-      `RUNG_OP_LD: d1_exc_we = 1'b1;
+      `RUNG_OP_LD: d2_exc_we = 1'b1;
       `RUNG_OP_OUT: begin
-        d1_use_exc = 1'b1;
-        d1_we = 1'b1;
+        d2_use_exc = 1'b1;
+        d2_we = 1'b1;
       end
       `RUNG_OP_SET, `RUNG_OP_RST: begin
-        d1_use_exc = 1'b1;
-        d1_one = d1_u;
-        d1_we_if_1 = 1'b1;
-        d1_clear = d1_op_i == `RUNG_OP_RST;
+        d2_use_exc = 1'b1;
+        d2_one = d2_u_q;
+        d2_we_if_1 = 1'b1;
+        d2_clear = d2_op_q == `RUNG_OP_RST;
       end
       default: ;
     endcase
   end
 
-  // ---- ID2 -------------------------------------------------------------------------------------
-  reg d2_use_row_q, d2_one_q, d2_exc_we_q, d2_we_q, d2_we_if_1_q, d2_clear_q;
-  reg [2:0] d2_n0_q;
-  reg [BIT_ADDR-1:0] d2_dest_q;
+  // ---- ID3 ---------------------------------------------------------------------------------------
+  reg d3_use_row_q, d3_one_q, d3_exc_we_q, d3_we_q, d3_we_if_1_q, d3_clear_q;
+  reg [2:0] d3_n0_q;
+  reg [7:0] d3_row_q;
+  reg [BIT_ADDR-1:0] d3_dest_q;
   always @(posedge clk_i) begin
-    d2_use_row_q <= d1_use_row;
-    d2_one_q <= d1_one;
-    d2_exc_we_q <= d1_exc_we;
-    d2_we_q <= d1_we;
-    d2_we_if_1_q <= d1_we_if_1;
-    d2_clear_q <= d1_clear;
-    d2_n0_q <= {d1_a[BIT_ADDR] || d1_use_exc, d1_b[BIT_ADDR], d1_c[BIT_ADDR]};
-    d2_dest_q <= d1_c[BIT_ADDR-1:0];
+    d3_use_row_q <= d2_use_row;
+    d3_one_q <= d2_one;
+    d3_exc_we_q <= d2_exc_we;
+    d3_we_q <= d2_we;
+    d3_we_if_1_q <= d2_we_if_1;
+    d3_clear_q <= d2_clear;
+    d3_n0_q <= d2_n0_q | {d2_use_exc, 2'b00};
+    d3_row_q <= d2_row_i;
+    d3_dest_q <= d2_dest_q;
   end
-  assign d2_dest_o = d2_dest_q;
+  assign d3_dest_o = d3_dest_q;
 
-  // {a,b,c} = 1xx where an instruction that is no look-up gives 1
-  wire [7:0] d2_fixed = d2_use_row_q ? 8'h00 : {4'hF, {4{d2_one_q}}};
+  // An instruction that is no look-up gives 1 at {a,b,c} = 1xx, or everywhere.
+  wire [7:0] d3_function = d3_use_row_q ? d3_row_q : {4'hF, {4{d3_one_q}}};
 
   // ---- EX --------------------------------------------------------------------------------------
   reg  [7:0] x_function_q;
@@ -110,13 +126,13 @@ module look_up_unit #(
   reg [BIT_ADDR-1:0] x_dest_q;
   reg exc_q;
   always @(posedge clk_i) begin
-    x_function_q <= (d2_row_i & {8{d2_use_row_q}}) | d2_fixed;
-    x_exc_we_q <= d2_exc_we_q;
-    x_we_q <= d2_we_q;
-    x_we_if_1_q <= d2_we_if_1_q;
-    x_clear_q <= d2_clear_q;
-    x_n0_q <= d2_n0_q;
-    x_dest_q <= d2_dest_q;
+    x_function_q <= d3_function;
+    x_exc_we_q <= d3_exc_we_q;
+    x_we_q <= d3_we_q;
+    x_we_if_1_q <= d3_we_if_1_q;
+    x_clear_q <= d3_clear_q;
+    x_n0_q <= d3_n0_q;
+    x_dest_q <= d3_dest_q;
   end
   assign x_dest_o = x_dest_q;
 
@@ -132,10 +148,11 @@ module look_up_unit #(
           .clk_i(clk_i),
           .d1_addr_i(d1_addr_o[i*BIT_ADDR+:BIT_ADDR]),
           .d2_dest_i(d2_dest_i),
+          .d3_dest_i(d3_dest_i),
           .x_dest_i(x_dest_i),
           .d2_bank_i(d2_bank_i[i*SLOTS+:SLOTS]),
-          .d2_device_i(!d2_n0_q[i]),
-          .d2_other_i(1'b0),
+          .d3_device_i(!d3_n0_q[i]),
+          .d3_other_i(1'b0),
           .x_we_i(x_we_i),
           .w_we_i(w_we_i),
           .w_data_i(w_value_i),
@@ -160,10 +177,11 @@ module look_up_unit #(
             .clk_i(clk_i),
             .d1_addr_i(d1_addr_o[0+:BIT_ADDR]),
             .d2_dest_i(d2_dest_i[i*BIT_ADDR+:BIT_ADDR]),
+            .d3_dest_i(d3_dest_i[i*BIT_ADDR+:BIT_ADDR]),
             .x_dest_i(x_dest_i[i*BIT_ADDR+:BIT_ADDR]),
             .d2_bank_i(d2_bank_i[i]),
-            .d2_device_i(1'b1),
-            .d2_other_i(1'b0),
+            .d3_device_i(1'b1),
+            .d3_other_i(1'b0),
             .x_we_i(x_we_i[i]),
             .w_we_i(w_we_i[i]),
             .w_data_i(w_bank_i[i]),

@@ -2,9 +2,9 @@
 // The multiply-divide unit of one slot; signed 16-bit operands. It holds one operation: the
 // operands are taken at the end of EX, and product, or quotient and remainder, stay until the next start.
 // First clock after EX by which an instruction that collects may be in EX itself (the latency):
-//   MUL with MUL_DSP = 1  3: product of the operand registers into the result registers, ID2, EX
-//   MUL with MUL_DSP = 0 18: sixteen add-and-shift steps, ID2, EX
-//   DIV                  19: |dividend|, sixteen restoring steps, ID2 (which applies the signs), EX
+//   MUL with MUL_DSP = 1  3: product of the operand registers into the result registers, ID3, EX
+//   MUL with MUL_DSP = 0 18: sixteen add-and-shift steps, ID3, EX
+//   DIV                  19: |dividend|, sixteen restoring steps, ID3 (which applies the signs), EX
 // Division truncates towards 0, the remainder has the dividend's sign, -32768 / -1 is -32768.
 `default_nettype none
 `include "rung_isa.vh"
@@ -21,10 +21,10 @@ module muldiv #(
     input  wire                       x_div_i,
     input  wire [`RUNG_WORD_BITS-1:0] x_s1_i,
     input  wire [`RUNG_WORD_BITS-1:0] x_s2_i,
-    // ID2: low word or quotient, high word or remainder; valid if executed and not divided by 0
-    input  wire                       d2_high_i,
-    output wire [`RUNG_WORD_BITS-1:0] d2_result_o,
-    output wire                       d2_valid_o,
+    // ID3: low word or quotient, high word or remainder; valid if executed and not divided by 0
+    input  wire                       d3_high_i,
+    output wire [`RUNG_WORD_BITS-1:0] d3_result_o,
+    output wire                       d3_valid_o,
     // an executed division by 0, in the clock after its EX
     output wire                       w_div_by_0_o
 );
@@ -48,9 +48,9 @@ module muldiv #(
   wire [16:0] sum = augend + (addend ^ {17{subtract}}) + {16'd0, subtract};
 
   // One negation for both ends of a division.
-  wire take_high = d2_high_i && !first_q;
+  wire take_high = d3_high_i && !first_q;
   wire [15:0] magnitude = take_high ? high_q : low_q;
-  wire sign = first_q ? low_q[15] : negative_q ^ (!d2_high_i & divisor_q[15]);
+  wire sign = first_q ? low_q[15] : negative_q ^ (!d3_high_i & divisor_q[15]);
   wire negate = div_q && sign;
   wire [15:0] signed_value = (magnitude ^ {16{negate}}) + {15'd0, negate};
 
@@ -112,8 +112,8 @@ module muldiv #(
     end
   end
 
-  assign d2_result_o = signed_value;
-  assign d2_valid_o  = valid_q;
+  assign d3_result_o = signed_value;
+  assign d3_valid_o  = valid_q;
 
 endmodule
 

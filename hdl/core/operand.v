@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// One operand from ID1 to EX, with forwarding. A step in EX writes the device memory at the end of
-// its clock; the step after it is then in ID2 (distance 1) and the one after that in ID1 (distance
-// 2), and both have read the memory too early. Distance 2 is mended in ID2, distance 1 in EX. The
-// memory's data come late in ID2: they meet one AND-XOR and nothing else.
+// One operand from ID1 to EX, with forwarding. A step in EX writes the device memory at the end of its
+// clock. The three steps behind it, then in ID3, ID2 and ID1 (distances 1 to 3), have read the memory
+// too early: distance 3 is mended in ID2, distance 2 in ID3, distance 1 in EX, each from the registers
+// that hold what the last EX wrote. From distance 4 on the memory has it.
+// The memory's data come late and from afar: they go into a register and nowhere else.
 `default_nettype none
 
 module operand #(
@@ -11,14 +12,16 @@ module operand #(
     parameter WRITERS = 1  // slots whose writes are forwarded; also banks that are XORed
 ) (
     input  wire                         clk_i,
-    // ID1: the device, and the devices that the steps now in ID2 and in EX write
+    // ID1: the device, and the devices that the steps now in ID2, ID3 and EX write
     input  wire [        ADDR_BITS-1:0] d1_addr_i,
     input  wire [WRITERS*ADDR_BITS-1:0] d2_dest_i,
+    input  wire [WRITERS*ADDR_BITS-1:0] d3_dest_i,
     input  wire [WRITERS*ADDR_BITS-1:0] x_dest_i,
-    // ID2: the memory's data; if d2_device_i is 0, the operand is d2_other_i instead of the device
+    // ID2: the memory's data
     input  wire [    WRITERS*WIDTH-1:0] d2_bank_i,
-    input  wire                         d2_device_i,
-    input  wire [            WIDTH-1:0] d2_other_i,
+    // ID3: if d3_device_i is 0, the operand is d3_other_i instead of the device
+    input  wire                         d3_device_i,
+    input  wire [            WIDTH-1:0] d3_other_i,
     // the write enables of the step in EX, and what the step before it wrote
     input  wire [          WRITERS-1:0] x_we_i,
     input  wire [          WRITERS-1:0] w_we_i,
@@ -27,53 +30,81 @@ module operand #(
     output wire [            WIDTH-1:0] x_value_o
 );
 
-  // ID1: addresses
-  reg [WRITERS-1:0] d1_near;
-  reg [WRITERS-1:0] d1_far;
+  // ---- ID1 ---------------------------------------------------------------------------------------
+  reg [WRITERS-1:0] d1_match1;
+  reg [WRITERS-1:0] d1_match2;
+  reg [WRITERS-1:0] d1_match3;
   integer i;
   always @* begin
     for (i = 0; i < WRITERS; i = i + 1) begin
-      d1_near[i] = d1_addr_i == d2_dest_i[i*ADDR_BITS+:ADDR_BITS];
-      d1_far[i]  = d1_addr_i == x_dest_i[i*ADDR_BITS+:ADDR_BITS];
+      d1_match1[i] = d1_addr_i == d2_dest_i[i*ADDR_BITS+:ADDR_BITS];
+      d1_match2[i] = d1_addr_i == d3_dest_i[i*ADDR_BITS+:ADDR_BITS];
+      d1_match3[i] = d1_addr_i == x_dest_i[i*ADDR_BITS+:ADDR_BITS];
     end
   end
 
-  reg [WRITERS-1:0] d2_near_q;
-  reg [WRITERS-1:0] d2_far_q;
+  // ---- ID2 ---------------------------------------------------------------------------------------
+  reg [WRITERS-1:0] d2_match1_q;
+  reg [WRITERS-1:0] d2_match2_q;
+  reg [WRITERS-1:0] d2_match3_q;
   always @(posedge clk_i) begin
-    d2_near_q <= d1_near;
-    d2_far_q  <= d1_far;
+    d2_match1_q <= d1_match1;
+    d2_match2_q <= d1_match2;
+    d2_match3_q <= d1_match3;
   end
 
-  // ID2: the memory, or what was written two steps ago, or no device at all
-  wire [WRITERS-1:0] d2_forward = d2_far_q & w_we_i & {WRITERS{d2_device_i}};
-  wire d2_use_memory = d2_device_i & ~|(d2_far_q & w_we_i);
-  reg [WIDTH-1:0] d2_memory;
-  reg [WIDTH-1:0] d2_early;
+  wire [WRITERS-1:0] d2_hit3 = d2_match3_q & w_we_i;
+  reg [WIDTH-1:0] d2_forward;
   integer j;
   always @* begin
-    d2_memory = {WIDTH{1'b0}};
-    d2_early  = d2_device_i ? {WIDTH{1'b0}} : d2_other_i;
+    d2_forward = {WIDTH{1'b0}};
     for (j = 0; j < WRITERS; j = j + 1) begin
-      d2_memory = d2_memory ^ d2_bank_i[j*WIDTH+:WIDTH];
-      d2_early  = d2_early | (w_data_i[j*WIDTH+:WIDTH] & {WIDTH{d2_forward[j]}});
+      d2_forward = d2_forward | (w_data_i[j*WIDTH+:WIDTH] & {WIDTH{d2_hit3[j]}});
     end
   end
 
-  reg [  WIDTH-1:0] x_value_q;
-  reg [WRITERS-1:0] x_near_q;
+  // ---- ID3 ---------------------------------------------------------------------------------------
+  reg [WRITERS-1:0] d3_match1_q;
+  reg [WRITERS-1:0] d3_match2_q;
+  reg d3_hit3_q;
+  reg [WIDTH-1:0] d3_forward_q;
+  reg [WRITERS*WIDTH-1:0] d3_bank_q;
   always @(posedge clk_i) begin
-    x_value_q <= (d2_memory & {WIDTH{d2_use_memory}}) ^ d2_early;
-    x_near_q  <= d2_near_q & x_we_i & {WRITERS{d2_device_i}};
+    d3_match1_q <= d2_match1_q;
+    d3_match2_q <= d2_match2_q;
+    d3_hit3_q <= |d2_hit3;
+    d3_forward_q <= d2_forward;
+    d3_bank_q <= d2_bank_i;
   end
 
-  // EX: what the step just before wrote is newer than anything found in ID2
-  reg [WIDTH-1:0] x_value;
+  wire [WRITERS-1:0] d3_hit2 = d3_match2_q & w_we_i;
+  reg [WIDTH-1:0] d3_memory;
+  reg [WIDTH-1:0] d3_value;
   integer k;
   always @* begin
-    x_value = x_value_q;
+    d3_memory = {WIDTH{1'b0}};
+    for (k = 0; k < WRITERS; k = k + 1) d3_memory = d3_memory ^ d3_bank_q[k*WIDTH+:WIDTH];
+    d3_value = d3_hit3_q ? d3_forward_q : d3_memory;
     for (k = 0; k < WRITERS; k = k + 1) begin
-      if (x_near_q[k]) x_value = w_data_i[k*WIDTH+:WIDTH];
+      if (d3_hit2[k]) d3_value = w_data_i[k*WIDTH+:WIDTH];
+    end
+    if (!d3_device_i) d3_value = d3_other_i;
+  end
+
+  // ---- EX ----------------------------------------------------------------------------------------
+  reg [WIDTH-1:0] x_value_q;
+  reg [WRITERS-1:0] x_hit1_q;
+  always @(posedge clk_i) begin
+    x_value_q <= d3_value;
+    x_hit1_q  <= d3_match1_q & x_we_i & {WRITERS{d3_device_i}};
+  end
+
+  reg [WIDTH-1:0] x_value;
+  integer m;
+  always @* begin
+    x_value = x_value_q;
+    for (m = 0; m < WRITERS; m = m + 1) begin
+      if (x_hit1_q[m]) x_value = w_data_i[m*WIDTH+:WIDTH];
     end
   end
 

@@ -32,8 +32,9 @@ module slot #(
     input  wire [              READS*SLOTS-1:0] d2_bit_bank_i,
     input  wire [2*SLOTS*`RUNG_WORD_BITS-1:0]   d2_word_bank_i,
     input  wire [  SLOTS*`RUNG_WORD_BITS-1:0]   d2_word_cross_i,
-    // this slot's writes: devices named in ID2 and EX; enable, value, bank data in EX and after
+    // this slot's writes: devices named in ID2, ID3, EX; enable, value, bank data in EX and after
     output wire [                 BIT_ADDR-1:0] d2_bit_dest_o,
+    output wire [                 BIT_ADDR-1:0] d3_bit_dest_o,
     output wire [                 BIT_ADDR-1:0] x_bit_dest_o,
     output wire                                 x_bit_we_o,
     output wire                                 x_bit_bank_o,
@@ -41,6 +42,7 @@ module slot #(
     output wire                                 w_bit_value_o,
     output wire                                 w_bit_bank_o,
     output wire [                WORD_ADDR-1:0] d2_word_dest_o,
+    output wire [                WORD_ADDR-1:0] d3_word_dest_o,
     output wire [                WORD_ADDR-1:0] x_word_dest_o,
     output wire                                 x_word_we_o,
     output wire [          `RUNG_WORD_BITS-1:0] x_word_bank_o,
@@ -49,12 +51,14 @@ module slot #(
     output wire [          `RUNG_WORD_BITS-1:0] w_word_bank_o,
     // the writes of all slots, this one among them
     input  wire [           SLOTS*BIT_ADDR-1:0] d2_bit_dest_i,
+    input  wire [           SLOTS*BIT_ADDR-1:0] d3_bit_dest_i,
     input  wire [           SLOTS*BIT_ADDR-1:0] x_bit_dest_i,
     input  wire [                    SLOTS-1:0] x_bit_we_i,
     input  wire [                    SLOTS-1:0] w_bit_we_i,
     input  wire [                    SLOTS-1:0] w_bit_value_i,
     input  wire [                    SLOTS-1:0] w_bit_bank_i,
     input  wire [          SLOTS*WORD_ADDR-1:0] d2_word_dest_i,
+    input  wire [          SLOTS*WORD_ADDR-1:0] d3_word_dest_i,
     input  wire [          SLOTS*WORD_ADDR-1:0] x_word_dest_i,
     input  wire [                    SLOTS-1:0] x_word_we_i,
     input  wire [                    SLOTS-1:0] w_word_we_i,
@@ -106,8 +110,10 @@ module slot #(
           .d2_bank_i(d2_bit_bank_i),
           .d2_row_i(d2_row_i),
           .d2_dest_o(d2_bit_dest_o),
+          .d3_dest_o(d3_bit_dest_o),
           .x_dest_o(x_bit_dest_o),
           .d2_dest_i(d2_bit_dest_i),
+          .d3_dest_i(d3_bit_dest_i),
           .x_dest_i(x_bit_dest_i),
           .x_we_i(x_bit_we_i),
           .w_we_i(w_bit_we_i),
@@ -132,6 +138,7 @@ module slot #(
           .d1_addr_o(d1_bit_addr_o),
           .d2_bank_i(d2_bit_bank_i),
           .d2_dest_o(d2_bit_dest_o),
+          .d3_dest_o(d3_bit_dest_o),
           .x_dest_o(x_bit_dest_o),
           .w_we_i(w_bit_we_i),
           .w_value_i(w_bit_value_i),
@@ -143,8 +150,8 @@ module slot #(
       assign d1_row_o = {`RUNG_ROW_BITS{1'b0}};
       assign x_bit_bank_o = x_bit_value;
       // One writer, whose values the unit has already; no LUT.
-      wire unused_writers = &{1'b0, d2_bit_dest_i, x_bit_dest_i, x_bit_we_i, w_bit_bank_i};
-      wire unused_row = &{1'b0, d2_row_i};
+      wire unused_writers = &{1'b0, d2_bit_dest_i, d3_bit_dest_i, x_bit_dest_i, x_bit_we_i};
+      wire unused_row = &{1'b0, d2_row_i, w_bit_bank_i};
     end
   endgenerate
 
@@ -169,8 +176,10 @@ module slot #(
       .d2_bank_i(d2_word_bank_i),
       .d2_cross_i(d2_word_cross_i),
       .d2_dest_o(d2_word_dest_o),
+      .d3_dest_o(d3_word_dest_o),
       .x_dest_o(x_word_dest_o),
       .d2_dest_i(d2_word_dest_i),
+      .d3_dest_i(d3_word_dest_i),
       .x_dest_i(x_word_dest_i),
       .x_we_i(x_word_we_i),
       .w_we_i(w_word_we_i),

@@ -24,10 +24,12 @@ module word_unit #(
     // ID2: memory data of s1 (lower) and s2, bank 0 lowest; of rd, in the other banks
     input  wire [2*SLOTS*`RUNG_WORD_BITS-1:0] d2_bank_i,
     input  wire [  SLOTS*`RUNG_WORD_BITS-1:0] d2_cross_i,
-    // the devices that all slots write: steps in ID2, in EX, and the one before
+    // the devices that all slots write: steps in ID2, ID3 and EX, and the one before
     output wire [              WORD_ADDR-1:0] d2_dest_o,
+    output wire [              WORD_ADDR-1:0] d3_dest_o,
     output wire [              WORD_ADDR-1:0] x_dest_o,
     input  wire [        SLOTS*WORD_ADDR-1:0] d2_dest_i,
+    input  wire [        SLOTS*WORD_ADDR-1:0] d3_dest_i,
     input  wire [        SLOTS*WORD_ADDR-1:0] x_dest_i,
     input  wire [                  SLOTS-1:0] x_we_i,
     input  wire [                  SLOTS-1:0] w_we_i,
@@ -47,7 +49,7 @@ module word_unit #(
   localparam [1:0] CONSTANT_S2 = 2'd1;
   localparam [1:0] CONSTANT_S1 = 2'd2;
 
-  // ---- ID1: decode -----------------------------------------------------------------------------
+  // ---- ID1 -----------------------------------------------------------------------------
   wire [BITS-1:0] d1_source = d1_fields_i[BITS-1:0];
   wire [WORD_ADDR-1:0] d1_rs = d1_fields_i[RS_AT+:WORD_ADDR];
   wire [WORD_ADDR-1:0] d1_rd = d1_fields_i[RD_AT+:WORD_ADDR];
@@ -56,75 +58,90 @@ module word_unit #(
   assign d1_addr_o = {d1_kind == CONSTANT_S1 ? d1_rs : d1_source[WORD_ADDR-1:0], d1_rs};
   assign d1_dest_o = d1_rd;
 
-  reg d1_we, d1_collect, d1_high, d1_move, d1_subtract, d1_start, d1_div;
-  always @* begin
-    d1_we = 1'b0;
-    d1_collect = 1'b0;
-    d1_high = 1'b0;
-    d1_move = 1'b0;
-    d1_subtract = 1'b0;
-    d1_start = 1'b0;
-    d1_div = 1'b0;
-    case (d1_op_i)
-      `RUNG_OP_MV: begin
-        d1_we   = 1'b1;
-        d1_move = 1'b1;
-      end
-      `RUNG_OP_ADD: d1_we = 1'b1;
-      `RUNG_OP_SUB: begin
-        d1_we = 1'b1;
-        d1_subtract = 1'b1;
-      end
-      `RUNG_OP_MULS: d1_start = 1'b1;
-      `RUNG_OP_DIVS: begin
-        d1_start = 1'b1;
-        d1_div   = 1'b1;
-      end
-      `RUNG_OP_MVL, `RUNG_OP_MVH: begin
-        d1_move = 1'b1;
-        d1_collect = 1'b1;
-        d1_high = d1_op_i == `RUNG_OP_MVH;
-      end
-      default: ;
-    endcase
-  end
-
-  // ---- ID2 -------------------------------------------------------------------------------------
-  reg d2_we_q, d2_collect_q, d2_high_q, d2_subtract_q, d2_start_q, d2_div_q, d2_u_q;
-  reg d2_device1_q, d2_device2_q, d2_move_q;
+  // ---- ID2: decode -------------------------------------------------------------------------------
+  reg [`RUNG_OP_BITS-1:0] d2_op_q;
+  reg [1:0] d2_kind_q;
+  reg d2_u_q;
   reg [BITS-1:0] d2_source_q;
   reg [WORD_ADDR-1:0] d2_dest_q;
   always @(posedge clk_i) begin
-    d2_we_q <= d1_we;
-    d2_collect_q <= d1_collect;
-    d2_high_q <= d1_high;
-    d2_move_q <= d1_move;
-    d2_subtract_q <= d1_subtract;
-    d2_start_q <= d1_start;
-    d2_div_q <= d1_div;
+    d2_op_q <= d1_op_i;
+    d2_kind_q <= d1_kind;
     d2_u_q <= d1_u;
-    d2_device1_q <= d1_kind != CONSTANT_S1 && !d1_move;
-    d2_device2_q <= d1_kind != CONSTANT_S2 && !d1_collect;
     d2_source_q <= d1_source;
     d2_dest_q <= d1_rd;
   end
   assign d2_dest_o = d2_dest_q;
 
-  wire [BITS-1:0] d2_unit;
-  wire d2_unit_valid;
-  wire [BITS-1:0] d2_other1 = d2_move_q ? {BITS{1'b0}} : d2_source_q;
-  wire [BITS-1:0] d2_other2 = d2_collect_q ? d2_unit : d2_source_q;
+  reg d2_we, d2_collect, d2_high, d2_move, d2_subtract, d2_start, d2_div;
+  always @* begin
+    d2_we = 1'b0;
+    d2_collect = 1'b0;
+    d2_high = 1'b0;
+    d2_move = 1'b0;
+    d2_subtract = 1'b0;
+    d2_start = 1'b0;
+    d2_div = 1'b0;
+    case (d2_op_q)
+      `RUNG_OP_MV: begin
+        d2_we   = 1'b1;
+        d2_move = 1'b1;
+      end
+      `RUNG_OP_ADD: d2_we = 1'b1;
+      `RUNG_OP_SUB: begin
+        d2_we = 1'b1;
+        d2_subtract = 1'b1;
+      end
+      `RUNG_OP_MULS: d2_start = 1'b1;
+      `RUNG_OP_DIVS: begin
+        d2_start = 1'b1;
+        d2_div   = 1'b1;
+      end
+      `RUNG_OP_MVL, `RUNG_OP_MVH: begin
+        d2_move = 1'b1;
+        d2_collect = 1'b1;
+        d2_high = d2_op_q == `RUNG_OP_MVH;
+      end
+      default: ;
+    endcase
+  end
+
+  // ---- ID3 ---------------------------------------------------------------------------------------
+  reg d3_we_q, d3_collect_q, d3_high_q, d3_subtract_q, d3_start_q, d3_div_q, d3_u_q;
+  reg d3_device1_q, d3_device2_q, d3_move_q;
+  reg [BITS-1:0] d3_source_q;
+  reg [WORD_ADDR-1:0] d3_dest_q;
+  always @(posedge clk_i) begin
+    d3_we_q <= d2_we;
+    d3_collect_q <= d2_collect;
+    d3_high_q <= d2_high;
+    d3_move_q <= d2_move;
+    d3_subtract_q <= d2_subtract;
+    d3_start_q <= d2_start;
+    d3_div_q <= d2_div;
+    d3_u_q <= d2_u_q;
+    d3_device1_q <= d2_kind_q != CONSTANT_S1 && !d2_move;
+    d3_device2_q <= d2_kind_q != CONSTANT_S2 && !d2_collect;
+    d3_source_q <= d2_source_q;
+    d3_dest_q <= d2_dest_q;
+  end
+  assign d3_dest_o = d3_dest_q;
+
+  wire [BITS-1:0] d3_unit;
+  wire d3_unit_valid;
+  wire [BITS-1:0] d3_other1 = d3_move_q ? {BITS{1'b0}} : d3_source_q;
+  wire [BITS-1:0] d3_other2 = d3_collect_q ? d3_unit : d3_source_q;
 
   // ---- EX --------------------------------------------------------------------------------------
   reg x_we_q, x_subtract_q, x_start_q, x_div_q, x_always_q;
   reg [WORD_ADDR-1:0] x_dest_q;
   always @(posedge clk_i) begin
-    x_we_q <= d2_we_q || (d2_collect_q && d2_unit_valid);
-    x_always_q <= d2_u_q || d2_collect_q;
-    x_subtract_q <= d2_subtract_q;
-    x_start_q <= d2_start_q;
-    x_div_q <= d2_div_q;
-    x_dest_q <= d2_dest_q;
+    x_we_q <= d3_we_q || (d3_collect_q && d3_unit_valid);
+    x_always_q <= d3_u_q || d3_collect_q;
+    x_subtract_q <= d3_subtract_q;
+    x_start_q <= d3_start_q;
+    x_div_q <= d3_div_q;
+    x_dest_q <= d3_dest_q;
   end
   assign x_dest_o = x_dest_q;
 
@@ -137,10 +154,11 @@ module word_unit #(
       .clk_i(clk_i),
       .d1_addr_i(d1_addr_o[0+:WORD_ADDR]),
       .d2_dest_i(d2_dest_i),
+      .d3_dest_i(d3_dest_i),
       .x_dest_i(x_dest_i),
       .d2_bank_i(d2_bank_i[0+:SLOTS*BITS]),
-      .d2_device_i(d2_device1_q),
-      .d2_other_i(d2_other1),
+      .d3_device_i(d3_device1_q),
+      .d3_other_i(d3_other1),
       .x_we_i(x_we_i),
       .w_we_i(w_we_i),
       .w_data_i(w_value_i),
@@ -156,10 +174,11 @@ module word_unit #(
       .clk_i(clk_i),
       .d1_addr_i(d1_addr_o[WORD_ADDR+:WORD_ADDR]),
       .d2_dest_i(d2_dest_i),
+      .d3_dest_i(d3_dest_i),
       .x_dest_i(x_dest_i),
       .d2_bank_i(d2_bank_i[SLOTS*BITS+:SLOTS*BITS]),
-      .d2_device_i(d2_device2_q),
-      .d2_other_i(d2_other2),
+      .d3_device_i(d3_device2_q),
+      .d3_other_i(d3_other2),
       .x_we_i(x_we_i),
       .w_we_i(w_we_i),
       .w_data_i(w_value_i),
@@ -183,10 +202,11 @@ module word_unit #(
             .clk_i(clk_i),
             .d1_addr_i(d1_rd),
             .d2_dest_i(d2_dest_i[i*WORD_ADDR+:WORD_ADDR]),
+            .d3_dest_i(d3_dest_i[i*WORD_ADDR+:WORD_ADDR]),
             .x_dest_i(x_dest_i[i*WORD_ADDR+:WORD_ADDR]),
             .d2_bank_i(d2_cross_i[i*BITS+:BITS]),
-            .d2_device_i(1'b1),
-            .d2_other_i({BITS{1'b0}}),
+            .d3_device_i(1'b1),
+            .d3_other_i({BITS{1'b0}}),
             .x_we_i(x_we_i[i]),
             .w_we_i(w_we_i[i]),
             .w_data_i(w_bank_i[i*BITS+:BITS]),
@@ -227,9 +247,9 @@ module word_unit #(
       .x_div_i(x_div_q),
       .x_s1_i(x_s1),
       .x_s2_i(x_s2),
-      .d2_high_i(d2_high_q),
-      .d2_result_o(d2_unit),
-      .d2_valid_o(d2_unit_valid),
+      .d3_high_i(d3_high_q),
+      .d3_result_o(d3_unit),
+      .d3_valid_o(d3_unit_valid),
       .w_div_by_0_o(w_div_by_0_o)
   );
 

@@ -34,19 +34,11 @@ bool same(const Retired& a, const Retired& b) {
 
 }  // namespace
 
-std::vector<Target> all_targets() {
+std::vector<Target> targets(const std::vector<isa::Mpu>& mpus) {
   std::vector<Target> targets;
   for (const isa::Config& config : isa::configs()) {
-    for (const isa::Mpu mpu : {isa::Mpu::Mpu1, isa::Mpu::Mpu2, isa::Mpu::Mpu3}) {
-      targets.push_back({mpu, &config});
-    }
+    for (const isa::Mpu mpu : mpus) targets.push_back({mpu, &config});
   }
-  return targets;
-}
-
-std::vector<Target> slot_targets() {
-  std::vector<Target> targets = all_targets();
-  std::erase_if(targets, [](const Target& target) { return target.mpu == isa::Mpu::Mpu1; });
   return targets;
 }
 

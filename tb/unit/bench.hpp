@@ -19,9 +19,10 @@ struct Target {
   isa::Mpu mpu;
   const isa::Config* config;
 };
-// All six, and those with look-up slots.
-std::vector<Target> all_targets();
-std::vector<Target> slot_targets();
+// These processors in every configuration.
+std::vector<Target> targets(const std::vector<isa::Mpu>& mpus);
+inline const std::vector<isa::Mpu> kAllMpus{isa::Mpu::Mpu1, isa::Mpu::Mpu2, isa::Mpu::Mpu3};
+inline const std::vector<isa::Mpu> kLookUpMpus{isa::Mpu::Mpu2, isa::Mpu::Mpu3};
 // "mpu3_ecp5", as gtest wants the name of a parameter.
 std::string target_name(const testing::TestParamInfo<Target>& info);
 

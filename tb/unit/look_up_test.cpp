@@ -120,7 +120,7 @@ TEST_P(LookUps, ChainsOverN0) {
   for (int slot = 0; slot < bench.slots(); ++slot) {
     for (int row = kCopyA; row <= kCopyC; ++row) {
       for (const bool value : {false, true}) {
-        for (int distance = 1; distance <= 4; ++distance) {
+        for (int distance = 1; distance <= 5; ++distance) {
           const auto both = [&](const isa::SlotInstruction& own,
                                 const isa::SlotInstruction& other) {
             Step step(static_cast<std::size_t>(bench.slots()), other);
@@ -148,7 +148,7 @@ TEST_P(LookUps, ChainsOverN0) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Rtl, LookUps, testing::ValuesIn(slot_targets()), target_name);
+INSTANTIATE_TEST_SUITE_P(Rtl, LookUps, testing::ValuesIn(targets(kLookUpMpus)), target_name);
 
 }  // namespace
 }  // namespace rung::tb

@@ -24,8 +24,10 @@ isa::SlotInstruction collect(Opcode opcode, int rd) {
 }
 
 class Units : public testing::TestWithParam<Target> {};
+class LookUpUnits : public Units {};   // MULS, DIVS and their collectors
+class TwoSlotUnits : public Units {};  // one unit beside the other
 
-TEST_P(Units, CollectAtTheLatencyAndLater) {
+TEST_P(LookUpUnits, CollectAtTheLatencyAndLater) {
   Bench bench(GetParam());
   for (const Opcode start : {Opcode::Muls, Opcode::Divs}) {
     const int latency =
@@ -66,8 +68,7 @@ TEST_P(Units, CollectAtTheLatencyAndLater) {
   }
 }
 
-TEST_P(Units, EachSlotHasItsOwn) {
-  if (GetParam().mpu != isa::Mpu::Mpu3) GTEST_SKIP() << "one slot";
+TEST_P(TwoSlotUnits, EachSlotHasItsOwn) {
   Bench bench(GetParam());
   bench.set_word(kS1, 1000);
   bench.set_word(kS2, 7);
@@ -89,8 +90,7 @@ TEST_P(Units, EachSlotHasItsOwn) {
 }
 
 // What stands beside a waiting instruction is done once, and a step with two takes the longer.
-TEST_P(Units, WaitingBesideOtherInstructions) {
-  if (GetParam().mpu != isa::Mpu::Mpu3) GTEST_SKIP() << "one slot";
+TEST_P(TwoSlotUnits, WaitingBesideOtherInstructions) {
   Bench bench(GetParam());
   bench.set_bit(kOne, true);
   bench.set_word(kS1, 0xfc18);  // -1000
@@ -173,7 +173,10 @@ TEST_P(Units, ErrorFlagOfTheLastStep) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Rtl, Units, testing::ValuesIn(all_targets()), target_name);
+INSTANTIATE_TEST_SUITE_P(Rtl, Units, testing::ValuesIn(targets(kAllMpus)), target_name);
+INSTANTIATE_TEST_SUITE_P(Rtl, LookUpUnits, testing::ValuesIn(targets(kLookUpMpus)), target_name);
+INSTANTIATE_TEST_SUITE_P(Rtl, TwoSlotUnits, testing::ValuesIn(targets({isa::Mpu::Mpu3})),
+                         target_name);
 
 }  // namespace
 }  // namespace rung::tb

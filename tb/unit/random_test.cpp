@@ -154,7 +154,7 @@ TEST_P(RandomPrograms, EqualTheStepModel) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Rtl, RandomPrograms, testing::ValuesIn(all_targets()), target_name);
+INSTANTIATE_TEST_SUITE_P(Rtl, RandomPrograms, testing::ValuesIn(targets(kAllMpus)), target_name);
 
 }  // namespace
 }  // namespace rung::tb

@@ -14,11 +14,15 @@ CONFIG  ?= ecp5
 PROGRAM ?=
 JOBS    ?= 2
 
+# What `make build` builds, into build/bin
+PROGRAMS := rung
+
 CMAKE   ?= cmake
 CTEST   ?= ctest
 PYTHON  ?= python3
 VENV    := build/venv/bin
 FLOW    := --mpu $(MPU) --board $(BOARD)
+PROGRAMS := rung
 
 .PHONY: help
 help: ## this list
@@ -28,7 +32,7 @@ help: ## this list
 	@echo 'Values (defaults): MPU="$(MPU)" BOARD="$(BOARD)" SEEDS="$(SEEDS)" CONFIG=$(CONFIG) JOBS=$(JOBS)'
 
 # One CMake build directory: configure if needed, then build.
-# $(1) directory, $(2) CMake options, $(3) targets
+# $(1) directory, $(2) options of configuring, $(3) of building
 define cmake_build
 	@mkdir -p build/logs
 	@test -f $(1)/build.ninja || { echo "configuring $(1)"; \
@@ -42,7 +46,7 @@ endef
 .PHONY: build
 build: ## the rung program, build/bin/rung
 	@scripts/setup.sh build
-	$(call cmake_build,build/release,-DCMAKE_BUILD_TYPE=Release -DCMAKE_RUNTIME_OUTPUT_DIRECTORY=$(CURDIR)/build/bin)
+	$(call cmake_build,build/release,-DCMAKE_BUILD_TYPE=Release -DCMAKE_RUNTIME_OUTPUT_DIRECTORY=$(CURDIR)/build/bin,--target $(PROGRAMS))
 
 .PHONY: sim
 sim: build ## compile, run on the three processors, check against the golden trace; PROGRAM= chooses
@@ -73,7 +77,20 @@ synth: ## netlists of the processors in their board tops; MPU= BOARD=
 .PHONY: pnr
 pnr: ## place and route, area and clock into reports/area-timing.*; MPU= BOARD= SEEDS=
 	@scripts/setup.sh flow
-	@$(VENV)/python scripts/pnr.py $(FLOW) --seeds $(SEEDS)
+	@$(VENV)/python scripts/pnr.py $(FLOW) --seeds $(SEEDS) --jobs $(JOBS)
+
+.PHONY: bench
+bench: build ## scan times of the samples beside soft cores and this machine, into reports/
+	@scripts/setup.sh bench
+	@$(VENV)/python scripts/yardsticks.py --jobs $(JOBS)
+	@$(VENV)/python scripts/report_area.py
+
+.PHONY: report
+report: build ## all reports, in order: area and clock, then bench
+	@scripts/setup.sh bench
+	@$(MAKE) --no-print-directory bench
+	@$(VENV)/python scripts/pnr.py --jobs $(JOBS)
+	@$(VENV)/python scripts/report_area.py
 
 .PHONY: clean
 clean: ## remove everything built but the Python environment, build/venv

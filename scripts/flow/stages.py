@@ -10,10 +10,11 @@ import re
 from dataclasses import dataclass
 from typing import Any
 
-# Prefix of the register that a path ends in -> the stage that does the work.
-STAGE_BEFORE = {"f1": "IF1", "f2": "IF1", "d1": "IF2", "d2": "ID1", "x": "ID2", "w": "EX"}
-# Prefix of the register that a path starts from -> the stage that does the work.
-STAGE_OF = {"f1": "IF1", "f2": "IF2", "d1": "ID1", "d2": "ID2", "x": "EX", "w": "EX"}
+# Prefixes of the pipeline registers in the order of the stages that read them, and those stages; w_ is
+# what EX has computed.
+STAGES = {"f1": "IF1", "f2": "IF2", "f3": "IF3", "d1": "ID1", "d2": "ID2", "d3": "ID3", "x": "EX",
+          "w": "after EX"}
+ORDER = list(STAGES)
 
 # What the tools append to the name of a net to name the cell that drives it.
 CELL_SUFFIX = re.compile(
@@ -42,7 +43,7 @@ def short_name(cell: str) -> str:
 
 def prefix_of(name: str) -> str:
     """The stage prefix of the last part of a hierarchical name, or nothing."""
-    match = re.match(r"(f1|f2|d1|d2|x|w)_", name.rsplit(".", 1)[-1])
+    match = re.match(rf"({'|'.join(STAGES)})_", name.rsplit(".", 1)[-1])
     return match.group(1) if match else ""
 
 
@@ -54,13 +55,11 @@ def stage(start: str, end: str) -> str:
         return "load port"
     end_prefix, start_prefix = prefix_of(end), prefix_of(start)
     if end_prefix:
-        return STAGE_BEFORE[end_prefix]
+        return STAGES[ORDER[max(0, ORDER.index(end_prefix) - 1)]]
     if "(block RAM)" in start:
         return "IF2" if "fetch" in start else "ID2"
-    if ".unit." in end or ".unit." in start:
-        return "EX"
     if start_prefix:
-        return STAGE_OF[start_prefix]
+        return "EX" if start_prefix == "w" else STAGES[start_prefix]
     if "fetch" in end:
         return "IF1"
     if "sequencer" in end or "sequencer" in start:

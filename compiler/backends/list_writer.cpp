@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <string_view>
+#include <vector>
 
 #include "melsec/instructions.hpp"
 
@@ -21,13 +22,13 @@ std::string to_list(const Instruction& instruction, Dialect dialect) {
   if (instruction.op == Op::Nop || (instruction.op >= Op::Anb && instruction.op <= Op::Mpp)) {
     return std::string(name);
   }
-  std::string text(name);
+  std::vector<std::string> words{std::string(name)};
   if (instruction.op >= Op::Mov) {
-    const bool only_first = instruction.op == Op::Mov;
-    if (!instruction.two_operand) text += " " + operand(instruction.sources[0], dialect);
-    if (!only_first) text += " " + operand(instruction.sources[1], dialect);
+    if (!instruction.two_operand) words.push_back(operand(instruction.sources[0], dialect));
+    if (instruction.op != Op::Mov) words.push_back(operand(instruction.sources[1], dialect));
   }
-  return text + " " + device_name(instruction.device, dialect);
+  words.push_back(device_name(instruction.device, dialect));
+  return fmt::format("{}", fmt::join(words, " "));
 }
 
 std::string to_list(const Program& program) {

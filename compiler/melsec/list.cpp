@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <unordered_map>
 #include <utility>
 
 #include "melsec/operands.hpp"
@@ -90,11 +91,18 @@ class ListParser {
     std::string mend;
     if (looks_like_operand(statement.name.upper)) {
       mend = "this is an operand: its instruction stands before it, on the same line";
-    } else if (const auto near = suggest_instruction(statement.name.upper); !near.empty()) {
+    } else if (const auto near = suggestion(statement.name.upper); !near.empty()) {
       mend = fmt::format("did you mean {}?", near);
     }
-    error(statement.name, fmt::format("{} is not an instruction", statement.name.text),
+    error(statement.name, fmt::format("{} is not an instruction", shown(statement.name.text)),
           std::move(mend));
+  }
+
+  // The search is slow, and a wrong file holds the same unknown words many times.
+  std::string_view suggestion(const std::string& word) {
+    const auto [found, is_new] = suggestions_.try_emplace(word);
+    if (is_new) found->second = suggest_instruction(word);
+    return found->second;
   }
 
   void known(const Statement& statement, const SourceInstruction& row) {
@@ -112,7 +120,10 @@ class ListParser {
     instruction.op = row.op;
     instruction.position = statement.name.position;
     instruction.text = statement.name.text;
-    for (const ListWord& operand : statement.operands) instruction.text += " " + operand.text;
+    for (const ListWord& operand : statement.operands) {
+      instruction.text += ' ';
+      instruction.text += operand.text;
+    }
     if (operands(statement, row, instruction)) {
       program_.instructions.push_back(std::move(instruction));
     }
@@ -121,12 +132,12 @@ class ListParser {
   bool operands(const Statement& statement, const SourceInstruction& row, Instruction& out) {
     OperandReader reader(program_.file, program_.dialect, statement.name.upper, diagnostics_);
     const std::vector<ListWord>& words = statement.operands;
-    // A device that is not there yet often brings operands of its own (OUT T0 K50): it is the one
-    // thing to report.
-    const auto* const bad = std::find_if(
-        words.data(), words.data() + words.size(),
-        [](const ListWord& word) { return unsupported_operand(word.upper).has_value(); });
-    if (bad != words.data() + words.size()) {
+    // A device that is not there yet often brings operands of its own (OUT T0 K50), and a comma
+    // makes one word of two: that is then the one thing to report.
+    const auto bad = std::find_if(words.begin(), words.end(), [](const ListWord& word) {
+      return word.upper.find(',') != std::string::npos || unsupported_operand(word.upper);
+    });
+    if (bad != words.end()) {
       reader.source(*bad);
       return false;
     }
@@ -172,14 +183,14 @@ class ListParser {
     const std::string_view takes = operand_names(row, program_.dialect);
     if (given > count.most) {
       const ListWord& surplus = statement.operands[static_cast<std::size_t>(count.most)];
-      error(surplus, fmt::format("{} {}: one operand too many", name, surplus.upper),
+      error(surplus, fmt::format("{} {}: one operand too many", name, shown(surplus.upper)),
             fmt::format("{} takes {}", name, takes));
       return false;
     }
     std::string mend = fmt::format("{} takes {}", name, takes);
     if (row.form == OperandForm::Arithmetic && given == 2) {
       mend = fmt::format("write {0} {2} {1} {2}, or use --dialect paper", name,
-                         statement.operands[0].upper, statement.operands[1].upper);
+                         shown(statement.operands[0].upper), shown(statement.operands[1].upper));
     }
     error(statement.name,
           fmt::format("{}: {} of its operands {} missing", name, count.least - given,
@@ -201,6 +212,7 @@ class ListParser {
   Program& program_;
   Diagnostics& diagnostics_;
   std::vector<StructureItem> structure_;
+  std::unordered_map<std::string, std::string_view> suggestions_;
 };
 
 }  // namespace
@@ -209,8 +221,9 @@ std::optional<Program> parse_list(const SourceText& source, std::optional<Dialec
                                   Diagnostics& diagnostics) {
   const int errors_before = diagnostics.error_count();
   const std::vector<ListLine> lines = split_words(source, diagnostics);
+  const bool open_comment = diagnostics.error_count() > errors_before;
   const StatementList list = group_words(lines, source.file, diagnostics);
-  if (lines.empty()) {
+  if (lines.empty() && !open_comment) {
     diagnostics.error(source.file, {}, "there is no instruction in this file");
     return std::nullopt;
   }
@@ -220,8 +233,9 @@ std::optional<Program> parse_list(const SourceText& source, std::optional<Dialec
   program.dialect = dialect.value_or(dialect_of(list.statements));
   ListParser parser(program, diagnostics);
   for (const Statement& statement : list.statements) parser.add(statement);
-  check_structure(program.file, program.dialect, parser.structure(), diagnostics);
-  if (!list.has_end && needs_end(source.file)) {
+  if (!open_comment)
+    check_structure(program.file, program.dialect, parser.structure(), diagnostics);
+  if (!list.has_end && !open_comment && needs_end(source.file)) {
     diagnostics.error(source.file, list.end, "the program has no END",
                       "put END after its last instruction; if it was cut off, copy it again");
   }

@@ -66,14 +66,15 @@ OperandReader::OperandReader(const std::string& file, Dialect dialect, std::stri
       diagnostics_(diagnostics) {}
 
 void OperandReader::error(const ListWord& word, const std::string& what, std::string mend) {
-  diagnostics_.error(file_, word.position, fmt::format("{} {}: {}", instruction_, word.upper, what),
+  diagnostics_.error(file_, word.position,
+                     fmt::format("{} {}: {}", instruction_, shown(word.upper), what),
                      std::move(mend));
 }
 
 bool OperandReader::is_constant(const ListWord& word) const {
   const std::string& text = word.upper;
   return !text.empty() && (text.front() == 'K' || text.front() == 'H') &&
-         !unsupported_operand(text);
+         text.find(',') == std::string::npos && !unsupported_operand(text);
 }
 
 void OperandReader::explain(const ListWord& word, Device parsed, bool digit) {
@@ -121,7 +122,8 @@ std::optional<Device> OperandReader::device(const ListWord& word) {
   } else if (word.upper.find(',') != std::string::npos) {
     error(word, "not a device", "separate operands with blanks");
   } else if (is_digit(word.upper.front()) || word.upper.front() == '-') {
-    error(word, "a number, not a device", fmt::format("a constant is written K{}", word.upper));
+    error(word, "a number, not a device",
+          fmt::format("a constant is written K{}", shown(word.upper)));
   } else {
     error(word, "not a device", "the devices are X, Y, M and D with a number, such as M10");
   }

@@ -130,6 +130,7 @@ struct DeviceGroup {
   std::string_view prefix;
   bool digits;  // decimal digits follow, else hexadecimal ones
   std::string_view what;
+  std::string_view mend = {};
 };
 
 // The longer prefixes first.
@@ -146,20 +147,20 @@ constexpr DeviceGroup kDevices[] = {
     {"SD", true, "a special register"},
     {"SB", false, "a link special relay"},
     {"SW", false, "a link special register"},
-    {"ZR", true, "a file register"},
-    {"DX", false, "a direct input"},
-    {"DY", false, "a direct output"},
+    {"ZR", true, "a file register", "use a word (D)"},
+    {"DX", false, "a direct input", "use X: inputs are read once a scan"},
+    {"DY", false, "a direct output", "use Y: outputs are refreshed once a scan"},
     {"FX", true, "a function input"},
     {"FY", true, "a function output"},
     {"FD", true, "a function register"},
     {"T", true, "a timer"},
     {"C", true, "a counter"},
-    {"S", true, "a step relay"},
-    {"L", true, "a latch relay"},
-    {"F", true, "an annunciator"},
-    {"B", false, "a link relay"},
-    {"W", false, "a link register"},
-    {"R", true, "a file register"},
+    {"S", true, "a step relay", "use a relay (M)"},
+    {"L", true, "a latch relay", "use a relay (M)"},
+    {"F", true, "an annunciator", "use a relay (M)"},
+    {"B", false, "a link relay", "use a relay (M)"},
+    {"W", false, "a link register", "use a word (D)"},
+    {"R", true, "a file register", "use a word (D)"},
     {"V", true, "an index register or edge relay"},
     {"Z", true, "an index register"},
     {"P", true, "a pointer"},
@@ -247,8 +248,10 @@ std::optional<Unsupported> operator_form(std::string_view name) {
   } else if (!prefix.empty() || !pulse) {
     return std::nullopt;
   }
-  std::string reason = kind.empty() ? std::string() : fmt::format("{} arithmetic", kind);
-  if (pulse) reason = kind.empty() ? "a pulse form" : reason + " in its pulse form";
+  std::string reason = fmt::format("{} arithmetic", kind);
+  if (pulse)
+    reason =
+        kind.empty() ? fmt::format("the pulse form of {}", name) : reason + " in its pulse form";
   return Unsupported{fmt::format("{}, {}", reason, kNotYet), {}, Effect::Output};
 }
 
@@ -305,7 +308,7 @@ std::optional<Unsupported> unsupported_operand(std::string_view text) {
     return Unsupported{
         "in the memory of a module or network, which this controller does not have", {}, {}};
   }
-  if (text.size() >= 3 && text.front() == 'K' && is_digit(text[1]) &&
+  if (text.size() >= 4 && text.front() == 'K' && is_digit(text[1]) &&
       std::isalpha(static_cast<unsigned char>(text[2])) != 0) {
     return not_yet("a group of bits used as a word");
   }
@@ -333,7 +336,9 @@ std::optional<Unsupported> unsupported_operand(std::string_view text) {
   }
   for (const DeviceGroup& group : kDevices) {
     if (!text.starts_with(group.prefix)) continue;
-    if (all_digits(text.substr(group.prefix.size()), group.digits)) return not_yet(group.what);
+    if (all_digits(text.substr(group.prefix.size()), group.digits)) {
+      return Unsupported{fmt::format("{}, {}", group.what, kNotYet), std::string(group.mend), {}};
+    }
   }
   return std::nullopt;
 }

@@ -34,7 +34,8 @@ SourcePosition end_of(std::u32string_view text) {
 
 // Characters that no text holds.
 bool is_binary(char32_t c) {
-  return c < 0x20 && c != U'\t' && c != U'\n' && c != U'\r' && c != U'\f';
+  return (c < 0x20 && c != U'\t' && c != U'\n' && c != U'\r' && c != U'\f') ||
+         (c >= 0x7F && c < 0xA0);
 }
 
 std::optional<std::u32string> decode_utf8(std::string_view bytes, const std::string& file,
@@ -170,6 +171,13 @@ std::string to_utf8(std::u32string_view text) {
   std::string bytes;
   for (const char32_t c : text) utf8::unchecked::append(c, std::back_inserter(bytes));
   return bytes;
+}
+
+std::string shown(std::string_view word) {
+  constexpr int kMost = 40;
+  auto end = word.begin();
+  for (int i = 0; i < kMost && end != word.end(); ++i) utf8::unchecked::next(end);
+  return std::string(word.begin(), end) + (end == word.end() ? "" : "...");
 }
 
 }  // namespace rung

@@ -36,6 +36,9 @@ std::optional<SourceText> read_text(const std::string& path, Diagnostics& diagno
 // `text` as UTF-8.
 std::string to_utf8(std::u32string_view text);
 
+// `word` (UTF-8) for a message: cut after 40 characters.
+std::string shown(std::string_view word);
+
 // Writes `contents` to `path`, or to standard output for "-": to a temporary name in the same
 // directory first, then renamed, so that a failure leaves nothing behind and an old file untouched.
 // What is not a regular file (a pipe, /dev/null) is written directly. False, with an error at 1:1,

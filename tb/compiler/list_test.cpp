@@ -122,7 +122,7 @@ TEST(List, GivenDialectDecides) {
 TEST(List, Utf16) {
   std::string bytes = "\xFF\xFE";
   for (const char c : std::string("LD X0\r\nOUT Y0 ; ")) bytes += {c, '\0'};
-  bytes += "\x42\x30";          // a letter of the basic plane
+  bytes += "\x42\x30";                          // a letter of the basic plane
   bytes += std::string("\x3D\xD8\x00\xDE", 4);  // a surrogate pair
   for (const char c : std::string("\r\nEND")) bytes += {c, '\0'};
   const ParseResult result = parse(bytes);

@@ -20,6 +20,7 @@ constexpr int kDeepestBranch = 4;
 constexpr int kMostBlocks = 6;
 constexpr int kMostOutputs = 6;
 constexpr int kMostContinuations = 8;
+constexpr int kMostBranchings = 8;
 
 // Constants worth trying beside any other: where signs, carries and divisions go wrong.
 constexpr std::array kCorners = {0, 1, -1, 2, -2, 3, 7, 10, 255, 256, 32767, -32768, -32767};
@@ -33,6 +34,7 @@ class Writer {
     text_ = fmt::format("; dialect {}\n", dialect_name(options_.dialect));
     for (int i = 0; i < options_.networks; ++i) {
       continuations_ = 0;
+      branchings_ = 0;
       logic(0);
       outputs(0);
     }
@@ -111,7 +113,9 @@ class Writer {
   // Outputs of the current result. Within `branches` open ones a block may follow an output, else
   // its LD would begin a new network.
   void outputs(int branches) {
-    if (branches < kDeepestBranch && random_.percent(options_.branch_percent)) {
+    if (branches < kDeepestBranch && branchings_ < kMostBranchings &&
+        random_.percent(options_.branch_percent)) {
+      ++branchings_;
       line("MPS");
       branch(branches + 1);
       while (random_.percent(40)) {
@@ -164,7 +168,7 @@ class Writer {
     if (!random_.percent(options_.multiply_percent)) {
       if (random_.percent(40)) {
         const std::string source = word_source();
-        return line(paper ? "MV" : "MOV", source + " " + word_device());
+        return line(paper ? "MV" : "MOV", fmt::format("{} {}", source, word_device()));
       }
       return arithmetic(random_.percent(50) ? (q ? "+" : "ADD") : (q ? "-" : "SUB"), 0);
     }
@@ -174,15 +178,19 @@ class Writer {
 
   void arithmetic(std::string_view name, int beyond) {
     const bool two = options_.dialect != Dialect::Fx && random_.percent(40);
-    std::string operands = word_source();
-    if (!two) operands += " " + word_source();
-    line(name, operands + " " + word_device(beyond));
+    std::string sources = word_source();
+    if (!two) {
+      sources += ' ';
+      sources += word_source();
+    }
+    line(name, fmt::format("{} {}", sources, word_device(beyond)));
   }
 
   RandomSource random_;
   const RandomProgramOptions& options_;
   std::string text_;
   int continuations_ = 0;  // in this network
+  int branchings_ = 0;     // in this network
 };
 
 }  // namespace

@@ -22,7 +22,6 @@ CTEST   ?= ctest
 PYTHON  ?= python3
 VENV    := build/venv/bin
 FLOW    := --mpu $(MPU) --board $(BOARD)
-PROGRAMS := rung
 
 .PHONY: help
 help: ## this list
@@ -88,9 +87,8 @@ bench: build ## scan times of the samples beside soft cores and this machine, in
 .PHONY: report
 report: build ## all reports, in order: area and clock, then bench
 	@scripts/setup.sh bench
-	@$(MAKE) --no-print-directory bench
 	@$(VENV)/python scripts/pnr.py --jobs $(JOBS)
-	@$(VENV)/python scripts/report_area.py
+	@$(MAKE) --no-print-directory bench
 
 .PHONY: clean
 clean: ## remove everything built but the Python environment, build/venv

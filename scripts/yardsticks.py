@@ -10,10 +10,11 @@ from __future__ import annotations
 import argparse
 import datetime
 import json
-import os
 import platform
+import re
 import subprocess
 import sys
+from importlib import metadata
 from pathlib import Path
 from typing import Any
 
@@ -40,28 +41,23 @@ def sample_list(sample: int, seed: int) -> Path:
     return listing
 
 
-def compile_for(listing: Path, mpu: int, config: str) -> dict[str, Any] | None:
-    """What `rung compile --json` counts, or nothing if the program does not fit."""
+def compile_for(listing: Path, mpu: int, config: str) -> dict[str, Any]:
+    """What `rung compile` counts; of a program that does not fit, the steps that it needs."""
     run = subprocess.run([str(program.RUNG), "compile", str(listing), "--mpu", str(mpu), "--config",
-                          config, "--json", "-o", os.devnull], capture_output=True, text=True,
-                         check=False)
-    if run.returncode == 1 and "too large" in run.stderr:
-        return None
+                          config, "--json"], capture_output=True, text=True, check=False)
+    too_large = re.search(r"needs (\d+) steps; configuration", run.stderr)
+    if run.returncode == 1 and too_large:
+        return {"fits": False, "steps": int(too_large.group(1))}
     if run.returncode != 0:
         raise tools.FlowError(run.stderr)
     counts = json.loads(run.stdout)
-    return {key: counts[key] for key in ("instructions", "steps", "clocks")}
+    return {"fits": True, **{key: counts[key] for key in ("instructions", "steps", "clocks")}}
 
 
 def on_our_processors(listing: Path) -> list[dict[str, Any]]:
-    configs = sorted({board.config for board in BOARDS.values()})
-    results = []
-    for config in configs:
-        for mpu in MPUS:
-            counts = compile_for(listing, mpu, config)
-            results.append({"mpu": mpu, "config": config, "fits": counts is not None,
-                            **(counts or {})})
-    return results
+    configs = [board.config for board in BOARDS.values()]
+    return [{"mpu": mpu, "config": config, **compile_for(listing, mpu, config)}
+            for config in configs for mpu in MPUS]
 
 
 def check_equal(sample: int, checksums: dict[str, int]) -> None:
@@ -116,7 +112,9 @@ def main() -> int:
                   "nextpnr-ecp5": nextpnr_version(BOARDS["ulx3s"].family.nextpnr),
                   "verilator": tools.version(bench.VERILATOR),
                   "riscv-gcc": f"{tools.version(program.RISCV + 'gcc')}, "
-                               f"{' '.join(program.RISCV_FLAGS[:3])}"},
+                               f"{' '.join(program.RISCV_FLAGS[:3])}",
+                  **{package: metadata.version(package) for package in
+                     ("pythondata-cpu-picorv32", "pythondata-cpu-vexriscv")}},
         "host": host_description(),
         "seeds": SEEDS,
         "cores": cores,

@@ -65,12 +65,10 @@ def clocks_mhz(area: dict[str, Any]) -> dict[tuple[str, int], float]:
 def our_rows(sample: dict[str, Any], mhz: dict[tuple[str, int], float]) -> list[list[Any]]:
     rows = []
     instructions = next(r["instructions"] for r in sample["rung"] if r["fits"])
-    by_mpu = {r["mpu"]: r for r in sample["rung"] if r["config"] == "ecp5"}
     for r in sample["rung"]:
         clock = mhz[r["config"], r["mpu"]]
         chip = "ECP5-85F" if r["config"] == "ecp5" else "HX8K"
-        # A program that does not fit takes the steps of the larger configuration.
-        clocks = r["clocks"] if r["fits"] else by_mpu[r["mpu"]]["steps"]
+        clocks = r["clocks"] if r["fits"] else r["steps"]
         time = clocks / clock * 1000
         mark = "" if r["fits"] else ", computed"
         rows.append([f"MPU{r['mpu']}, {chip}{mark}", clock, clocks, us(time), us(time),
@@ -101,7 +99,8 @@ def speed_section(area: dict[str, Any], yard: dict[str, Any]) -> list[str]:
            f"{yard['samples'][0]['seed']}, with pseudo-random inputs in every scan. Times are "
            "clocks by the median routed clock; a Rung processor takes exactly the same clocks in "
            "every scan, so its median is its worst. *Computed*: the program does not fit the "
-           "HX8K's memories; its steps on ECP5 by the HX8K's clock stand there."]
+           "HX8K's memories; the steps that it would take by the HX8K's clock stand there, without "
+           "the clocks in which a processor waits for its multiplier or divider."]
     for sample in yard["samples"]:
         instructions = next(r["instructions"] for r in sample["rung"] if r["fits"])
         host = sample["host"]

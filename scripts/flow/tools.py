@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -47,10 +48,11 @@ def run(command: list[str], log: Path) -> str:
 
 
 def version(tool: str) -> str:
-    """First line of what `tool --version` says, without the name of its program file."""
+    """What `tool --version` says of itself in its first line: enough to name the version."""
     out = subprocess.run([tool, "--version"], capture_output=True, text=True, check=True)
     line = (out.stdout.strip() or out.stderr.strip()).splitlines()[0]
-    return line.removeprefix(f'"{Path(tool).name}" -- ').strip()
+    known = re.search(r"nextpnr-\d[\w.]+|Yosys [\w.+]+ \(git sha1 \w+", line)
+    return known.group(0) + (")" if "(" in known.group(0) else "") if known else line
 
 
 def digest(texts: Iterable[str], files: Iterable[Path] = ()) -> str:

@@ -20,8 +20,7 @@ def verilate(core: Core) -> Path:
     # The warnings of other people's Verilog are not ours to mend.
     command = [VERILATOR, "--cc", "--exe", "--build", "-j", "2", "-O3", "--x-initial", "0",
                "-Wno-lint", "-Wno-fatal", "-DYARD_SIMULATION", "--top-module", core.top,
-               "--prefix", "Vyard", *(f"-G{name}={value}" for name, value in core.parameters),
-               "-CFLAGS", "-O2", "-LDFLAGS", "-lfmt", "--Mdir", str(folder), "-o", "bench",
+               "--prefix", "Vyard", "-CFLAGS", "-O2", "-LDFLAGS", "-lfmt", "--Mdir", str(folder), "-o", "bench",
                str(FOLDER / "core_bench.cpp"), *map(str, core.sources)]
     want = tools.digest(command, [FOLDER / "core_bench.cpp", *core.sources])
     if not tools.up_to_date(stamp, want, [bench]):

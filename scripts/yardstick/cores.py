@@ -25,11 +25,10 @@ class Core:
     """A soft core in its top of tb/yardstick."""
     name: str
     title: str
-    memory: str                              # what an access to the RAM takes
+    memory: str                # what an access to the RAM takes
     verilog: Path
     top: str
-    parameters: tuple[tuple[str, int], ...]  # of the top
-    defines: tuple[str, ...]                 # for core_main.c: the caches to empty
+    defines: tuple[str, ...]   # for core_main.c: the caches to empty
     cached: bool
 
     @property
@@ -40,20 +39,18 @@ class Core:
     def design(self) -> Design:
         """The core with its RAM, for the FPGA and grade of the ULX3S, on any pins."""
         board = dataclasses.replace(BOARDS["ulx3s"], constraints=None, config="")
-        return Design(f"yard-{self.name}", self.top, tuple(self.sources), (), self.parameters,
+        return Design(f"yard-{self.name}", self.top, tuple(self.sources), (), (),
                       board, ours=False)
 
 
 WISHBONE = "block RAM on Wishbone: one wait clock, then a word a clock in a cache line's burst"
-PICO = "picorv32, RV32IM (one-clock multiplier, divider, barrel shifter)"
 
 CORES = [
-    Core("picorv32", PICO, "block RAM on the look-ahead port: no wait", PICORV32 / "picorv32.v",
-         "yard_picorv32", (("LOOK_AHEAD", 1),), (), False),
-    Core("picorv32-wait", PICO, "block RAM on the plain port: one wait clock",
-         PICORV32 / "picorv32.v", "yard_picorv32", (("LOOK_AHEAD", 0),), (), False),
+    Core("picorv32", "picorv32, RV32IM (one-clock multiplier, divider, barrel shifter)",
+         "block RAM on the look-ahead port: no wait", PICORV32 / "picorv32.v", "yard_picorv32", (),
+         False),
     Core("vexriscv", "VexRiscv, plain variant, RV32IM, 4 KB I$ and 4 KB D$", WISHBONE,
-         VEXRISCV / "VexRiscv.v", "yard_vexriscv", (), ("INSTRUCTION_CACHE", "DATA_CACHE"), True),
+         VEXRISCV / "VexRiscv.v", "yard_vexriscv", ("INSTRUCTION_CACHE", "DATA_CACHE"), True),
     Core("vexriscv-lite", "VexRiscv Lite, RV32IM, 2 KB I$, no D$", WISHBONE,
-         VEXRISCV / "VexRiscv_Lite.v", "yard_vexriscv", (), ("INSTRUCTION_CACHE",), True),
+         VEXRISCV / "VexRiscv_Lite.v", "yard_vexriscv", ("INSTRUCTION_CACHE",), True),
 ]

@@ -59,6 +59,13 @@ int compile_command(const Options& options) {
   Diagnostics diagnostics;
   const auto program = read_program(options, diagnostics);
   if (!program) return report(diagnostics);
+  if (!options.dump.empty()) {
+    CompileOptions how;
+    how.paper = options.paper;
+    const Dumps dumps = dump_passes(*program, how);
+    fmt::print("{}", options.dump == "logic" ? dumps.logic : dumps.mapping);
+    return report(diagnostics);
+  }
   const auto compiled = compile_input(*program, options, diagnostics);
   if (!compiled) return report(diagnostics);
   if (!options.output.empty() &&
@@ -69,11 +76,6 @@ int compile_command(const Options& options) {
     fmt::print("{}", to_json(*compiled));
   } else if (options.listing) {
     fmt::print("{}", image::listing(compiled->image));
-  } else if (!options.dump.empty()) {
-    CompileOptions how;
-    how.paper = options.paper;
-    const Dumps dumps = dump_passes(*program, how);
-    fmt::print("{}", options.dump == "logic" ? dumps.logic : dumps.mapping);
   } else if (options.output != "-") {
     fmt::print("{}", summary(*compiled));
   }

@@ -24,16 +24,71 @@ struct Cost {
   auto operator<=>(const Cost&) const = default;
 };
 
-bool merge(const Cut& left, const Cut& right, Cut& out) {
+constexpr std::uint8_t kFirstSignal = 0b11110000;
+
+Cut signal_cut(NodeId signal, bool inverted) {
+  Cut cut;
+  cut.signals[0] = signal;
+  cut.size = 1;
+  cut.function = inverted ? static_cast<std::uint8_t>(~kFirstSignal) : kFirstSignal;
+  return cut;
+}
+
+// The function of `cut` as one of the signals of `wider`, which holds all of the cut's.
+std::uint8_t function_over(const Cut& cut, const Cut& wider) {
+  std::uint8_t function = 0;
+  for (int address = 0; address < 8; ++address) {
+    int own = 0;
+    for (int i = 0; i < cut.size; ++i) {
+      const auto at = std::find(wider.signals.begin(), wider.signals.end(), cut.signals[i]);
+      const auto place = static_cast<int>(at - wider.signals.begin());
+      own |= (address >> (2 - place) & 1) << (2 - i);
+    }
+    function = static_cast<std::uint8_t>(function | (cut.function >> own & 1) << address);
+  }
+  return function;
+}
+
+bool depends(std::uint8_t function, int signal) {
+  const int bit = 1 << (2 - signal);
+  for (int address = 0; address < 8; ++address) {
+    if ((function >> address & 1) != (function >> (address ^ bit) & 1)) return true;
+  }
+  return false;
+}
+
+// Leaves out signals that do not matter: X0 and (X0 or X1) is X0.
+Cut reduced(const Cut& cut) {
+  Cut out;
+  for (int i = 0; i < cut.size; ++i) {
+    if (depends(cut.function, i)) out.signals[out.size++] = cut.signals[i];
+  }
+  for (int address = 0; address < 8; ++address) {
+    int full = 0;
+    for (int i = 0; i < out.size; ++i) {
+      const auto at = std::find(cut.signals.begin(), cut.signals.end(), out.signals[i]);
+      const auto place = static_cast<int>(at - cut.signals.begin());
+      full |= (address >> (2 - i) & 1) << (2 - place);
+    }
+    out.function = static_cast<std::uint8_t>(out.function | (cut.function >> full & 1) << address);
+  }
+  return out;
+}
+
+// The cut of an And or Or of two cuts; false if it has more than three signals.
+bool merge(NodeKind kind, const Cut& left, const Cut& right, Cut& out) {
   std::array<NodeId, 6> all{};
   const auto end =
       std::set_union(left.signals.begin(), left.signals.begin() + left.size, right.signals.begin(),
                      right.signals.begin() + right.size, all.begin());
-  const auto size = end - all.begin();
-  if (size > 3) return false;
-  out = {};
-  std::copy(all.begin(), end, out.signals.begin());
-  out.size = static_cast<int>(size);
+  if (end - all.begin() > 3) return false;
+  Cut merged;
+  merged.size = static_cast<int>(end - all.begin());
+  std::copy(all.begin(), end, merged.signals.begin());
+  const std::uint8_t a = function_over(left, merged);
+  const std::uint8_t b = function_over(right, merged);
+  merged.function = kind == NodeKind::And ? a & b : a | b;
+  out = reduced(merged);
   return true;
 }
 
@@ -108,12 +163,14 @@ class Coverer {
     for (bool changed = true; changed;) {
       changed = false;
       for (std::size_t i = 0; i < count_; ++i) {
-        last_[i] = last_epoch(i, fixed);
-        if (!is_gate(node(i))) continue;
-        for (const NodeId child : {node(i).left, node(i).right}) {
-          const std::size_t at = child - first_;
-          if (!fixed[at] && node(i).epoch > last_[at]) fixed[at] = changed = true;
+        // Children first: once one is kept, what is above it lives on.
+        if (is_gate(node(i))) {
+          for (const NodeId child : {node(i).left, node(i).right}) {
+            const std::size_t at = child - first_;
+            if (!fixed[at] && node(i).epoch > last_[at]) fixed[at] = changed = true;
+          }
         }
+        last_[i] = last_epoch(i, fixed);
       }
     }
   }
@@ -124,10 +181,7 @@ class Coverer {
     const Node& n = logic_.nodes[child];
     const bool alive = epoch <= last_[child - first_];
     if (boundary(child) || (alive && n.kind != NodeKind::NotLeaf)) {
-      Cut self;
-      self.signals[0] = child;
-      self.size = 1;
-      result.push_back(self);
+      result.push_back(signal_cut(child, false));
     }
     if (n.kind == NodeKind::Leaf || (boundary(child) && is_gate(n))) return result;
     for (const Cut& cut : cuts_[child - first_]) {
@@ -172,19 +226,16 @@ class Coverer {
       std::vector<Cut>& cuts = cuts_[i];
       cuts.clear();
       if (n.kind == NodeKind::Leaf) {
-        Cut cut;
-        cut.signals[0] = static_cast<NodeId>(first_ + i);
-        cut.size = 1;
-        cuts.push_back(cut);
+        cuts.push_back(signal_cut(static_cast<NodeId>(first_ + i), false));
       } else if (n.kind == NodeKind::NotLeaf) {
-        cuts = {cuts_[n.left - first_].front()};
+        cuts.push_back(signal_cut(n.left, true));
       } else {
         const auto lefts = inputs(n.left, n.epoch);
         const auto rights = inputs(n.right, n.epoch);
         Cut merged;
         for (const Cut& left : lefts) {
           for (const Cut& right : rights) {
-            if (!merge(left, right, merged)) continue;
+            if (!merge(n.kind, left, right, merged)) continue;
             if (std::find(cuts.begin(), cuts.end(), merged) == cuts.end()) cuts.push_back(merged);
           }
         }
@@ -227,46 +278,11 @@ class Coverer {
   Cover cover_;
 };
 
-// Value of `node` when the cut's signals have the values in `address`.
-bool evaluate_cone(const logic::Logic& logic, NodeId id, const Cut& cut, int address, bool root) {
-  const Node& n = logic.nodes[id];
-  // A look-up of a leaf reads that leaf; any other root is above its signals.
-  if (!root || n.kind == NodeKind::Leaf) {
-    for (int i = 0; i < cut.size; ++i) {
-      if (cut.signals[i] == id) return (address >> (2 - i) & 1) != 0;
-    }
-  }
-  switch (n.kind) {
-    case NodeKind::NotLeaf:
-      return !evaluate_cone(logic, n.left, cut, address, false);
-    case NodeKind::And:
-      return evaluate_cone(logic, n.left, cut, address, false) &&
-             evaluate_cone(logic, n.right, cut, address, false);
-    case NodeKind::Or:
-      return evaluate_cone(logic, n.left, cut, address, false) ||
-             evaluate_cone(logic, n.right, cut, address, false);
-    case NodeKind::Leaf:
-      break;
-  }
-  assert(false && "a cone reads a leaf that is not in its cut");
-  return false;
-}
-
 }  // namespace
 
 Cover cover_network(const logic::Logic& logic, logic::NodeId first, std::size_t count,
                     const std::vector<std::pair<logic::NodeId, std::int32_t>>& conditions) {
   return Coverer(logic, first, count).run(conditions);
-}
-
-std::uint8_t function_of(const logic::Logic& logic, logic::NodeId node, const Cut& cut) {
-  std::uint8_t function = 0;
-  for (int address = 0; address < 8; ++address) {
-    if (evaluate_cone(logic, node, cut, address, true)) {
-      function = static_cast<std::uint8_t>(function | 1 << address);
-    }
-  }
-  return function;
 }
 
 }  // namespace rung::mapping

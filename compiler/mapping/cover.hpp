@@ -11,10 +11,13 @@
 
 namespace rung::mapping {
 
-// The signals that a look-up of some node reads: leaves or other nodes, ascending.
+// A way to compute some node with one look-up: the signals that it reads, leaves or other nodes,
+// ascending, and its function of them: bit {s0,s1,s2}, s0 the highest. The function depends on
+// every signal; a constant has none.
 struct Cut {
   std::array<logic::NodeId, 3> signals{logic::kNoNode, logic::kNoNode, logic::kNoNode};
   int size = 0;
+  std::uint8_t function = 0;
   bool operator==(const Cut&) const = default;
 };
 
@@ -36,9 +39,5 @@ struct Cover {
 // under which actions stand, with the epoch at which each is last needed.
 Cover cover_network(const logic::Logic& logic, logic::NodeId first, std::size_t count,
                     const std::vector<std::pair<logic::NodeId, std::int32_t>>& conditions);
-
-// Eight-bit function of `node` over the signals of its cut: bit {s0,s1,s2}, s0 the highest; signals
-// that the cut lacks do not matter.
-std::uint8_t function_of(const logic::Logic& logic, logic::NodeId node, const Cut& cut);
 
 }  // namespace rung::mapping

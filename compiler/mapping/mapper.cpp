@@ -53,6 +53,7 @@ class NetworkMapper {
       conditions.emplace_back(logic_.actions[a].condition, a);
     }
     cover_ = cover_network(logic_, nodes_.first, nodes_.end - nodes_.first, conditions);
+    find_latest();
     find_readers();
     for (auto& [node, kept] : kept_) split_segments(node, kept);
     for (auto& [node, kept] : kept_) decide_storage(node, kept);
@@ -67,8 +68,11 @@ class NetworkMapper {
   }
   // The look-up of `reader` takes the leaf from its device, not from where its value was kept.
   bool reads_device(NodeId leaf, NodeId reader) const {
-    return leaf == reader || node(reader).epoch <= lifetime(leaf);
+    return leaf == reader || !cover_.is_boundary(leaf) || latest(reader) <= lifetime(leaf);
   }
+  // The latest place in the order of the program at which the look-up of `id` may come to stand:
+  // that of a boundary right before its first action, any other where those that take it stand.
+  std::int32_t latest(NodeId id) const { return latest_[id - nodes_.first]; }
   bool is_inner(NodeId id) const {
     return !is_leaf(id) && cover_.is_chosen(id) && !cover_.is_boundary(id);
   }
@@ -77,6 +81,22 @@ class NetworkMapper {
   void for_signals(NodeId id, F&& f) const {
     const Cut& cut = cover_.cut(id);
     for (int i = 0; i < cut.size; ++i) f(cut.signals[i]);
+  }
+
+  void find_latest() {
+    latest_.assign(nodes_.end - nodes_.first, 0);
+    for (std::int32_t a = actions_.end; a-- > actions_.first;) {
+      latest_[logic_.actions[a].condition - nodes_.first] = a;
+    }
+    for (NodeId id = nodes_.end; id-- > nodes_.first;) {
+      std::int32_t& own = latest_[id - nodes_.first];
+      own = std::max(own, node(id).epoch);
+      if (!cover_.is_chosen(id)) continue;
+      for_signals(id, [&](NodeId signal) {
+        std::int32_t& below = latest_[signal - nodes_.first];
+        if (!cover_.is_boundary(signal)) below = std::max(below, own);
+      });
+    }
   }
 
   void find_readers() {
@@ -137,13 +157,16 @@ class NetworkMapper {
 
   bool joins(const Segment& segment, std::int32_t action) const {
     const bool muldiv = is_muldiv(logic_.actions[action].op);
+    const auto collides = [&](std::int32_t member) {
+      return is_muldiv(logic_.actions[member].op) && (muldiv || !may_pass(action, member));
+    };
     const auto is_member = [&](std::int32_t a) {
       return std::find(segment.actions.begin(), segment.actions.end(), a) != segment.actions.end();
     };
     for (std::int32_t a = segment.position; a < action; ++a) {
       if (is_member(a)) {
-        // One unit holds one product or quotient at a time.
-        if (muldiv && is_muldiv(logic_.actions[a].op)) return false;
+        // The slot holds one product or quotient at a time, and writes it some steps later.
+        if (collides(a)) return false;
       } else if (!may_pass(action, a)) {
         return false;
       }
@@ -170,13 +193,16 @@ class NetworkMapper {
 
   // The device that an OUT of the first segment writes, if it still holds the value at every use.
   bool kept_by_coil(const Kept& kept, BitValue& value) const {
-    for (const std::int32_t action : kept.segments.front().actions) {
+    const auto& actions = kept.segments.front().actions;
+    for (const std::int32_t action : actions) {
       if (logic_.actions[action].op != Op::Out) continue;
       const Device device = logic_.actions[action].target;
       const std::int32_t end = logic_.overwritten(device, action);
+      // An action of the same segment that writes it again does so before any reader.
+      if (std::find(actions.begin(), actions.end(), end) != actions.end()) continue;
       const auto fine = [&](std::int32_t epoch) { return epoch <= end; };
       bool ok = std::all_of(kept.readers.begin(), kept.readers.end(),
-                            [&](NodeId reader) { return fine(node(reader).epoch); });
+                            [&](NodeId reader) { return fine(latest(reader)); });
       for (std::size_t i = 1; i < kept.segments.size(); ++i) ok &= fine(kept.segments[i].position);
       if (!ok) continue;
       value.kind = BitValue::Kind::Device;
@@ -200,13 +226,17 @@ class NetworkMapper {
       if (!plain || inner > (at == reader ? 0 : 1)) return logic::kNoNode;
       if (cover_.is_boundary(at)) return at;
       NodeId above = logic::kNoNode;
-      for (NodeId n = at + 1; n < nodes_.end && above == logic::kNoNode; ++n) {
+      int takers = 0;
+      for (NodeId n = at + 1; n < nodes_.end; ++n) {
         if (!cover_.is_chosen(n)) continue;
         for_signals(n, [&](NodeId signal) {
-          if (signal == at) above = n;
+          if (signal != at) return;
+          above = n;
+          ++takers;
         });
       }
-      if (above == logic::kNoNode) return above;
+      // A look-up that several others take is computed once for each of them.
+      if (takers != 1) return logic::kNoNode;
       at = above;
     }
   }
@@ -225,7 +255,7 @@ class NetworkMapper {
     const NodeId owner = chain_owner(reader, id);
     if (owner == logic::kNoNode) return false;
     const Kept& above = kept_.at(owner);
-    if (has_muldiv(kept) && has_muldiv(above)) return false;
+    if (has_muldiv(kept)) return false;
     const auto& own = kept.segments.front().actions;
     for (std::int32_t a = kept.segments.front().position; a < above.segments.front().position;
          ++a) {
@@ -410,13 +440,12 @@ class NetworkMapper {
     }
     MappedOp op;
     op.opcode = isa::Opcode::Lut;
-    op.function = function_of(logic_, id, cover_.cut(id));
+    op.function = cover_.cut(id).function;
     op.instruction = source_of(id);
     const Cut& cut = cover_.cut(id);
     const auto chained = chained_.find(id);
     for (int i = 0; i < cut.size; ++i) {
       const NodeId signal = cut.signals[i];
-      if (!depends(op.function, i)) continue;
       if (signal == main || (chained != chained_.end() && chained->second == signal)) {
         op.inputs[i].kind = BitValue::Kind::N0;
       } else if (is_leaf(signal) && reads_device(signal, id)) {
@@ -441,14 +470,6 @@ class NetworkMapper {
     return value;
   }
 
-  static bool depends(std::uint8_t function, int input) {
-    const int bit = 1 << (2 - input);
-    for (int address = 0; address < 8; ++address) {
-      if ((function >> address & 1) != (function >> (address ^ bit) & 1)) return true;
-    }
-    return false;
-  }
-
   // The source instruction of the contact that completes this node.
   std::size_t source_of(NodeId id) const { return node(id).instruction; }
 
@@ -458,6 +479,7 @@ class NetworkMapper {
   Range nodes_;
   Range actions_;
   Cover cover_;
+  std::vector<std::int32_t> latest_;
   std::map<NodeId, Kept> kept_;
   std::map<NodeId, NodeId> chained_;  // look-up -> the kept value it takes as N0
 };

@@ -111,8 +111,9 @@ class Checker {
     for (std::size_t n = 0; n < lookups.size(); ++n) {
       const int bound = lookup_bound(program_, program_.networks[n]);
       if (lookups[n] > bound) {
-        return fmt::format("rung {}: {} look-ups where the formula allows {}", n, lookups[n],
-                           bound);
+        const SourcePosition at = program_.instructions[program_.networks[n].first].position;
+        return fmt::format("the rung at line {}: {} look-ups where the formula allows {}", at.line,
+                           lookups[n], bound);
       }
     }
     return {};

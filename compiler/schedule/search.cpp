@@ -5,6 +5,7 @@
 #include <optional>
 #include <queue>
 #include <random>
+#include <stdexcept>
 
 #include "mapping/emit.hpp"
 #include "schedule/schedule.hpp"
@@ -155,7 +156,9 @@ class Attempt {
         if (--pending[follower] == 0) ready.push({priority_[follower], follower});
       }
     }
-    assert(placed == mapping_.units.size() && "units depend on each other in a circle");
+    if (placed != mapping_.units.size()) {
+      throw std::logic_error("internal error in mapping: units depend on each other in a circle");
+    }
     return result();
   }
 

@@ -69,6 +69,7 @@ void Machine::apply(std::span<const StimulusEvent> events) {
 ScanResult Machine::run_scan() {
   writes_.clear();
   return processor_.run_scan([this](const Retired& retired) {
+    if (observer_) observer_(retired);
     if (retired.bit_we && bit_devices_[retired.bit_address] >= 0) {
       writes_.push_back({bit_devices_[retired.bit_address],
                          static_cast<std::int16_t>(retired.bit_value ? 1 : 0), retired.step,

@@ -39,6 +39,8 @@ class Machine {
   ScanResult run_scan();
 
   const std::vector<MachineWrite>& writes() const { return writes_; }
+  // Also shows `observer` every retired instruction of the scans to come.
+  void observe(RetireObserver observer) { observer_ = std::move(observer); }
   // Reads a device, by its index in Image::devices, back from the processor.
   std::int16_t value(std::size_t device);
   // Index of the device, or -1.
@@ -57,6 +59,7 @@ class Machine {
   std::vector<int> word_devices_;
   std::map<Device, int> by_device_;
   std::vector<MachineWrite> writes_;
+  RetireObserver observer_;
 };
 
 // A machine as an engine that gives a trace.

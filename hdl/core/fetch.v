@@ -93,7 +93,18 @@ module fetch #(
     end
   end
 
-  // One memory a chunk, so that a chunk is written without reading the others.
+  // One memory a chunk, so that a chunk is written without reading the others. The load port is far from
+  // them too: its accesses take a clock to get there.
+  reg [CHUNKS-1:0] m_write_q;
+  reg [PC_BITS-1:0] m_addr_q;
+  reg [15:0] m_data_q;
+  integer i;
+  always @(posedge clk_i) begin
+    for (i = 0; i < CHUNKS; i = i + 1) m_write_q[i] <= load_chunk_i && load_addr_i[2:0] == i[2:0];
+    m_addr_q <= load_addr_i[3+:PC_BITS];
+    m_data_q <= load_data_i;
+  end
+
   wire [STEP_BITS-1:0] f2_step;
   genvar chunk;
   generate
@@ -108,9 +119,9 @@ module fetch #(
           .read_i(!d1_hold_i),
           .read_addr_i(f1_pc_q[PC_BITS-1:0]),
           .read_data_o(f2_step[16*chunk+:CHUNK_BITS]),
-          .write_i(load_chunk_i && load_addr_i[2:0] == chunk),
-          .write_addr_i(load_addr_i[3+:PC_BITS]),
-          .write_data_i(load_data_i[CHUNK_BITS-1:0])
+          .write_i(m_write_q[chunk]),
+          .write_addr_i(m_addr_q),
+          .write_data_i(m_data_q[CHUNK_BITS-1:0])
       );
     end
   endgenerate

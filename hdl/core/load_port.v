@@ -4,6 +4,7 @@
 //   1 LUT (address: row; 8 bits; all slots alike; write only)
 //   2 bit devices   3 word devices   (write and read)
 //   4 program length in steps (write only)
+// The length goes last, or at least one clock lies between the last chunk and the start of a scan.
 // Device accesses go down slot 0's pipeline as instructions, so that the banks stay consistent and
 // no memory needs another port; a scan may start while they are on their way. A read answers with
 // load_rvalid_o in the sixth clock after the edge that takes it.

@@ -30,8 +30,9 @@ Candidate build(const Program& program, const logic::Logic& logic, const Mapping
 
   const auto problem = schedule::make_problem(mapping, *options.config, isa::slots(options.mpu));
   const bool keeps_order = options.paper && options.mpu == Mpu::Mpu2;
-  const auto steps =
-      keeps_order ? schedule::in_order(mapping) : schedule::search(problem, options.search);
+  schedule::SearchOptions search = options.search;
+  search.by_steps = options.paper;  // steps are what the paper counts
+  const auto steps = keeps_order ? schedule::in_order(mapping) : schedule::search(problem, search);
   const auto temporaries = schedule::allocate_temporaries(steps, mapping);
   expect(schedule::verify(steps, mapping, temporaries, *options.config), "schedule");
 

@@ -315,7 +315,7 @@ Schedule search(const Problem& problem, const SearchOptions& options) {
   const auto units = static_cast<int>(problem.mapping->units.size());
   std::mt19937_64 random(options.seed);
   Schedule best;
-  std::int64_t best_clocks = -1;
+  std::optional<std::pair<std::int64_t, std::int64_t>> best_cost;
   for (int attempt = 0; attempt < options.tries; ++attempt) {
     // First by the longest chain alone, then with growing noise; ties in the order of the program.
     std::vector<std::int64_t> priority(units);
@@ -326,9 +326,11 @@ Schedule search(const Problem& problem, const SearchOptions& options) {
       priority[u] = tail * (units + 1) + (units - u);
     }
     Schedule schedule = Attempt(graph, priority, options.home_banks).run();
-    const std::int64_t cost = clocks(schedule, *problem.mapping, *problem.config);
-    if (best_clocks < 0 || cost < best_clocks) {
-      best_clocks = cost;
+    std::pair<std::int64_t, std::int64_t> cost(clocks(schedule, *problem.mapping, *problem.config),
+                                               schedule.steps.size());
+    if (options.by_steps) std::swap(cost.first, cost.second);
+    if (!best_cost || cost < *best_cost) {
+      best_cost = cost;
       best = std::move(schedule);
     }
     if (static_cast<int>(best.steps.size()) <= problem.lower_bound()) break;

@@ -18,12 +18,15 @@ module contact_unit #(
     output wire [     BIT_ADDR-1:0] d1_addr_o,
     // ID2: memory data
     input  wire                     d2_bank_i,
-    // the devices that are written: steps in ID2, ID3 and EX, and the one before
+    // the devices that are written: steps in ID2, ID3 and EX, the one
+    // before (w_) and the one before that (v_)
     output wire [     BIT_ADDR-1:0] d2_dest_o,
     output wire [     BIT_ADDR-1:0] d3_dest_o,
     output wire [     BIT_ADDR-1:0] x_dest_o,
+    input  wire [     BIT_ADDR-1:0] w_dest_i,
     input  wire                     w_we_i,
     input  wire                     w_value_i,
+    input  wire                     v_value_i,
     // EX: the write, and exc before and after
     output wire                     x_we_o,
     output wire                     x_value_o,
@@ -40,7 +43,7 @@ module contact_unit #(
   wire d1_u = d1_fields_i[BIT_U_AT];
   assign d1_addr_o = d1_fields_i[A_AT+:BIT_ADDR];
 
-  // ---- ID2 ---------------------------------------------------------------------------------------
+  // ---- ID2 -------------------------------------------------------------------------------------
   reg [`RUNG_OP_BITS-1:0] d2_op_q;
   reg d2_u_q;
   reg [BIT_ADDR-1:0] d2_dest_q;
@@ -51,7 +54,7 @@ module contact_unit #(
   end
   assign d2_dest_o = d2_dest_q;
 
-  // ---- ID3: decode -------------------------------------------------------------------------------
+  // ---- ID3: decode -----------------------------------------------------------------------------
   reg [`RUNG_OP_BITS-1:0] d3_op_q;
   reg d3_u_q;
   reg [BIT_ADDR-1:0] d3_dest_q;
@@ -108,12 +111,14 @@ module contact_unit #(
       .d2_dest_i(d2_dest_q),
       .d3_dest_i(d3_dest_q),
       .x_dest_i(x_dest_q),
+      .w_dest_i(w_dest_i),
       .d2_bank_i(d2_bank_i),
       .d3_device_i(1'b1),
       .d3_other_i(1'b0),
       .x_we_i(x_we_o),
       .w_we_i(w_we_i),
       .w_data_i(w_value_i),
+      .v_data_i(v_value_i),
       .x_value_o(x_device)
   );
 

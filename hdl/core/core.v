@@ -52,7 +52,7 @@ module core #(
   localparam BITS = `RUNG_WORD_BITS;
   `include "fields.vh"
 
-  // ---- load port -----------------------------------------------------------------------------
+  // ---- load port -------------------------------------------------------------------------------
   wire busy;
   wire l_chunk, l_lut, l_length;
   wire [19:0] l_addr;
@@ -87,7 +87,7 @@ module core #(
       .w_word_i(w_word_value[0+:BITS])
   );
 
-  // ---- IF1, IF2, IF3 -------------------------------------------------------------------------
+  // ---- IF1, IF2, IF3 ---------------------------------------------------------------------------
   wire scan_start;
   wire d1_hold;
   wire [SLOTS*SLOT_BITS-1:0] f3_step;
@@ -132,7 +132,7 @@ module core #(
   );
   assign busy_o = busy;
 
-  // ---- ID1: waiting steps --------------------------------------------------------------------
+  // ---- ID1: waiting steps ----------------------------------------------------------------------
   wire d1_first, d1_last;
   wire [SLOTS*`RUNG_OP_BITS-1:0] f3_op;
   wire [SLOTS*`RUNG_OP_BITS-1:0] d1_op;
@@ -150,12 +150,12 @@ module core #(
       .d1_hold_o(d1_hold)
   );
 
-  // ---- device memories -----------------------------------------------------------------------
+  // ---- device memories -------------------------------------------------------------------------
   wire [SLOTS*READS*BIT_ADDR-1:0] d1_bit_addr;
   wire [SLOTS*READS*SLOTS-1:0] d2_bit_bank;
   wire [SLOTS*SLOTS-1:0] d2_bit_cross;
-  wire [SLOTS*BIT_ADDR-1:0] d2_bit_dest, d3_bit_dest, x_bit_dest;
-  wire [SLOTS-1:0] x_bit_we, x_bit_bank, w_bit_we, w_bit_bank;
+  wire [SLOTS*BIT_ADDR-1:0] d2_bit_dest, d3_bit_dest, x_bit_dest, w_bit_dest;
+  wire [SLOTS-1:0] x_bit_we, w_bit_we, w_bit_bank, v_bit_value, v_bit_bank;
 
   // A slot reads the device that it writes anyway: it is operand c.
   device_memory #(
@@ -171,18 +171,18 @@ module core #(
       .d1_dest_i({SLOTS * BIT_ADDR{1'b0}}),
       .d2_bank_o(d2_bit_bank),
       .d2_cross_o(d2_bit_cross),
-      .x_we_i(x_bit_we),
-      .x_dest_i(x_bit_dest),
-      .x_bank_i(x_bit_bank)
+      .w_we_i(w_bit_we),
+      .w_dest_i(w_bit_dest),
+      .w_bank_i(w_bit_bank)
   );
   wire unused_bit_cross = &{1'b0, d2_bit_cross};
 
   wire [SLOTS*2*WORD_ADDR-1:0] d1_word_addr;
-  wire [SLOTS*WORD_ADDR-1:0] d1_word_dest, d2_word_dest, d3_word_dest, x_word_dest;
+  wire [SLOTS*WORD_ADDR-1:0] d1_word_dest, d2_word_dest, d3_word_dest, x_word_dest, w_word_dest;
   wire [SLOTS*2*SLOTS*BITS-1:0] d2_word_bank;
   wire [SLOTS*SLOTS*BITS-1:0] d2_word_cross;
   wire [SLOTS-1:0] x_word_we, w_word_we;
-  wire [SLOTS*BITS-1:0] x_word_bank, w_word_bank;
+  wire [SLOTS*BITS-1:0] w_word_bank, v_word_value, v_word_bank;
 
   device_memory #(
       .SLOTS(SLOTS),
@@ -197,12 +197,12 @@ module core #(
       .d1_dest_i(d1_word_dest),
       .d2_bank_o(d2_word_bank),
       .d2_cross_o(d2_word_cross),
-      .x_we_i(x_word_we),
-      .x_dest_i(x_word_dest),
-      .x_bank_i(x_word_bank)
+      .w_we_i(w_word_we),
+      .w_dest_i(w_word_dest),
+      .w_bank_i(w_word_bank)
   );
 
-  // ---- slots ---------------------------------------------------------------------------------
+  // ---- slots -----------------------------------------------------------------------------------
   wire [SLOTS-1:0] w_div_by_0;
   genvar s;
   generate
@@ -259,33 +259,43 @@ module core #(
           .d2_bit_dest_o(d2_bit_dest[s*BIT_ADDR+:BIT_ADDR]),
           .d3_bit_dest_o(d3_bit_dest[s*BIT_ADDR+:BIT_ADDR]),
           .x_bit_dest_o(x_bit_dest[s*BIT_ADDR+:BIT_ADDR]),
+          .w_bit_dest_o(w_bit_dest[s*BIT_ADDR+:BIT_ADDR]),
           .x_bit_we_o(x_bit_we[s]),
-          .x_bit_bank_o(x_bit_bank[s]),
           .w_bit_we_o(w_bit_we[s]),
           .w_bit_value_o(w_bit_value[s]),
           .w_bit_bank_o(w_bit_bank[s]),
+          .v_bit_value_o(v_bit_value[s]),
+          .v_bit_bank_o(v_bit_bank[s]),
           .d2_word_dest_o(d2_word_dest[s*WORD_ADDR+:WORD_ADDR]),
           .d3_word_dest_o(d3_word_dest[s*WORD_ADDR+:WORD_ADDR]),
           .x_word_dest_o(x_word_dest[s*WORD_ADDR+:WORD_ADDR]),
+          .w_word_dest_o(w_word_dest[s*WORD_ADDR+:WORD_ADDR]),
           .x_word_we_o(x_word_we[s]),
-          .x_word_bank_o(x_word_bank[s*BITS+:BITS]),
           .w_word_we_o(w_word_we[s]),
           .w_word_value_o(w_word_value[s*BITS+:BITS]),
           .w_word_bank_o(w_word_bank[s*BITS+:BITS]),
+          .v_word_value_o(v_word_value[s*BITS+:BITS]),
+          .v_word_bank_o(v_word_bank[s*BITS+:BITS]),
           .d2_bit_dest_i(d2_bit_dest),
           .d3_bit_dest_i(d3_bit_dest),
           .x_bit_dest_i(x_bit_dest),
+          .w_bit_dest_i(w_bit_dest),
           .x_bit_we_i(x_bit_we),
           .w_bit_we_i(w_bit_we),
           .w_bit_value_i(w_bit_value),
           .w_bit_bank_i(w_bit_bank),
+          .v_bit_value_i(v_bit_value),
+          .v_bit_bank_i(v_bit_bank),
           .d2_word_dest_i(d2_word_dest),
           .d3_word_dest_i(d3_word_dest),
           .x_word_dest_i(x_word_dest),
+          .w_word_dest_i(w_word_dest),
           .x_word_we_i(x_word_we),
           .w_word_we_i(w_word_we),
           .w_word_value_i(w_word_value),
           .w_word_bank_i(w_word_bank),
+          .v_word_value_i(v_word_value),
+          .v_word_bank_i(v_word_bank),
           .w_div_by_0_o(w_div_by_0[s])
 `ifdef RUNG_RETIRE
           ,
@@ -297,7 +307,7 @@ module core #(
     end
   endgenerate
 
-  // ---- error flag: any executed division by 0 in this scan, in time for the earliest done ----
+  // ---- error flag: any executed division by 0 in this scan, in time for the earliest done ------
   reg error_q;
   assign error_o = error_q || |w_div_by_0;
   always @(posedge clk_i) begin
@@ -305,7 +315,7 @@ module core #(
   end
 
 `ifdef RUNG_RETIRE
-  // ---- retire port ----------------------------------------------------------------------------
+  // ---- retire port -----------------------------------------------------------------------------
   reg [SLOTS-1:0] d1_retire, d2_retire_q, d3_retire_q, x_retire_q;
   reg [15:0] d2_number_q, d3_number_q, x_number_q;
   integer r;

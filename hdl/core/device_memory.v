@@ -20,10 +20,10 @@ module device_memory #(
     output wire [SLOTS*READS*SLOTS*WIDTH-1:0] d2_bank_o,
     // ID2: for each slot the banks at its d1_dest_i; its own bank, which it does not need, reads 0
     output wire [      SLOTS*SLOTS*WIDTH-1:0] d2_cross_o,
-    // EX: the writes, each to the slot's own bank
-    input  wire [                  SLOTS-1:0] x_we_i,
-    input  wire [        SLOTS*ADDR_BITS-1:0] x_dest_i,
-    input  wire [            SLOTS*WIDTH-1:0] x_bank_i
+    // after EX: the writes, each to the slot's own bank
+    input  wire [                  SLOTS-1:0] w_we_i,
+    input  wire [        SLOTS*ADDR_BITS-1:0] w_dest_i,
+    input  wire [            SLOTS*WIDTH-1:0] w_bank_i
 );
 
   genvar bank, read;
@@ -39,9 +39,9 @@ module device_memory #(
             .read_i(1'b1),
             .read_addr_i(d1_addr_i[read*ADDR_BITS+:ADDR_BITS]),
             .read_data_o(d2_bank_o[(read*SLOTS+bank)*WIDTH+:WIDTH]),
-            .write_i(x_we_i[bank]),
-            .write_addr_i(x_dest_i[bank*ADDR_BITS+:ADDR_BITS]),
-            .write_data_i(x_bank_i[bank*WIDTH+:WIDTH])
+            .write_i(w_we_i[bank]),
+            .write_addr_i(w_dest_i[bank*ADDR_BITS+:ADDR_BITS]),
+            .write_data_i(w_bank_i[bank*WIDTH+:WIDTH])
         );
       end
       for (read = 0; read < SLOTS; read = read + 1) begin : g_cross
@@ -55,9 +55,9 @@ module device_memory #(
               .read_i(1'b1),
               .read_addr_i(d1_dest_i[read*ADDR_BITS+:ADDR_BITS]),
               .read_data_o(d2_cross_o[(read*SLOTS+bank)*WIDTH+:WIDTH]),
-              .write_i(x_we_i[bank]),
-              .write_addr_i(x_dest_i[bank*ADDR_BITS+:ADDR_BITS]),
-              .write_data_i(x_bank_i[bank*WIDTH+:WIDTH])
+              .write_i(w_we_i[bank]),
+              .write_addr_i(w_dest_i[bank*ADDR_BITS+:ADDR_BITS]),
+              .write_data_i(w_bank_i[bank*WIDTH+:WIDTH])
           );
         end else begin : g_own
           assign d2_cross_o[(read*SLOTS+bank)*WIDTH+:WIDTH] = {WIDTH{1'b0}};

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scan control and the fetch stages: IF1 addresses the instruction memory with the program counter,
-// IF2 takes its data into a register, IF3 moves them to ID1. On a large FPGA the memory's block RAMs
-// lie all over the chip, and IF3 is the way from there. Straight-line code: the counter runs from 0 to
-// the program's length, then an end token follows the last step down the pipeline.
+// IF2 takes its data into a register, IF3 moves them to ID1. On a large FPGA the memory's block
+// RAMs lie all over the chip, and IF3 is the way from there. Straight-line code: the counter runs
+// from 0 to the program's length, then an end token follows the last step down the pipeline.
 // Takes start; gives one step a clock to ID1, done, busy and the clocks of the scan.
 `default_nettype none
 
@@ -93,8 +93,8 @@ module fetch #(
     end
   end
 
-  // One memory a chunk, so that a chunk is written without reading the others. The load port is far from
-  // them too: its accesses take a clock to get there.
+  // One memory a chunk, so that a chunk is written without reading the others. The load port is far
+  // from them too: its accesses take a clock to get there.
   reg [CHUNKS-1:0] m_write_q;
   reg [PC_BITS-1:0] m_addr_q;
   reg [15:0] m_data_q;
@@ -128,7 +128,7 @@ module fetch #(
 
   wire unused_addr = &{1'b0, load_addr_i[19:3+PC_BITS]};
 
-  // ---- IF2, IF3 -------------------------------------------------------------------------------
+  // ---- IF2, IF3 --------------------------------------------------------------------------------
   reg f2_valid_q;
   reg f2_end_q;
   reg f3_valid_q;

@@ -24,17 +24,21 @@ module look_up_unit #(
     // ID2: memory data, c lowest, and for each operand bank 0 lowest; the LUT's row
     input  wire [       3*SLOTS-1:0] d2_bank_i,
     input  wire [               7:0] d2_row_i,
-    // the devices that all slots write: steps in ID2, ID3 and EX, and the one before
+    // the devices that all slots write: steps in ID2, ID3 and EX, the one
+    // before (w_) and the one before that (v_)
     output wire [      BIT_ADDR-1:0] d2_dest_o,
     output wire [      BIT_ADDR-1:0] d3_dest_o,
     output wire [      BIT_ADDR-1:0] x_dest_o,
     input  wire [SLOTS*BIT_ADDR-1:0] d2_dest_i,
     input  wire [SLOTS*BIT_ADDR-1:0] d3_dest_i,
     input  wire [SLOTS*BIT_ADDR-1:0] x_dest_i,
+    input  wire [SLOTS*BIT_ADDR-1:0] w_dest_i,
     input  wire [         SLOTS-1:0] x_we_i,
     input  wire [         SLOTS-1:0] w_we_i,
     input  wire [         SLOTS-1:0] w_value_i,
     input  wire [         SLOTS-1:0] w_bank_i,
+    input  wire [         SLOTS-1:0] v_value_i,
+    input  wire [         SLOTS-1:0] v_bank_i,
     // EX: this slot's write (value, and what its bank gets), and exc before and after
     output wire                      x_we_o,
     output wire                      x_value_o,
@@ -46,14 +50,14 @@ module look_up_unit #(
   localparam LOOKUP = 1;
   `include "fields.vh"
 
-  // ---- ID1 -----------------------------------------------------------------------------
+  // ---- ID1 -------------------------------------------------------------------------------------
   wire [BIT_ADDR:0] d1_a = d1_fields_i[A_AT+:OPERAND_BITS];
   wire [BIT_ADDR:0] d1_b = d1_fields_i[B_AT+:OPERAND_BITS];
   wire [BIT_ADDR:0] d1_c = d1_fields_i[C_AT+:OPERAND_BITS];
   assign d1_row_o  = d1_fields_i[ROW_AT+:`RUNG_ROW_BITS];
   assign d1_addr_o = {d1_a[BIT_ADDR-1:0], d1_b[BIT_ADDR-1:0], d1_c[BIT_ADDR-1:0]};
 
-  // ---- ID2: decode -------------------------------------------------------------------------------
+  // ---- ID2: decode -----------------------------------------------------------------------------
   reg [`RUNG_OP_BITS-1:0] d2_op_q;
   reg [2:0] d2_n0_q;
   reg d2_u_q;
@@ -98,7 +102,7 @@ module look_up_unit #(
     endcase
   end
 
-  // ---- ID3 ---------------------------------------------------------------------------------------
+  // ---- ID3 -------------------------------------------------------------------------------------
   reg d3_use_row_q, d3_one_q, d3_exc_we_q, d3_we_q, d3_we_if_1_q, d3_clear_q;
   reg [2:0] d3_n0_q;
   reg [7:0] d3_row_q;
@@ -150,12 +154,14 @@ module look_up_unit #(
           .d2_dest_i(d2_dest_i),
           .d3_dest_i(d3_dest_i),
           .x_dest_i(x_dest_i),
+          .w_dest_i(w_dest_i),
           .d2_bank_i(d2_bank_i[i*SLOTS+:SLOTS]),
           .d3_device_i(!d3_n0_q[i]),
           .d3_other_i(1'b0),
           .x_we_i(x_we_i),
           .w_we_i(w_we_i),
           .w_data_i(w_value_i),
+          .v_data_i(v_value_i),
           .x_value_o(x_device[i])
       );
     end
@@ -167,7 +173,7 @@ module look_up_unit #(
     for (i = 0; i < SLOTS; i = i + 1) begin : g_cross
       if (i == SLOT) begin : g_own
         assign x_cross[i] = 1'b0;
-        wire unused_own = w_bank_i[i];
+        wire unused_own = &{1'b0, w_bank_i[i], v_bank_i[i]};
       end else begin : g_other
         operand #(
             .WIDTH(1),
@@ -179,12 +185,14 @@ module look_up_unit #(
             .d2_dest_i(d2_dest_i[i*BIT_ADDR+:BIT_ADDR]),
             .d3_dest_i(d3_dest_i[i*BIT_ADDR+:BIT_ADDR]),
             .x_dest_i(x_dest_i[i*BIT_ADDR+:BIT_ADDR]),
+            .w_dest_i(w_dest_i[i*BIT_ADDR+:BIT_ADDR]),
             .d2_bank_i(d2_bank_i[i]),
             .d3_device_i(1'b1),
             .d3_other_i(1'b0),
             .x_we_i(x_we_i[i]),
             .w_we_i(w_we_i[i]),
             .w_data_i(w_bank_i[i]),
+            .v_data_i(v_bank_i[i]),
             .x_value_o(x_cross[i])
         );
       end

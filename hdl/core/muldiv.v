@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The multiply-divide unit of one slot; signed 16-bit operands. It holds one operation: the
-// operands are taken at the end of EX, and product, or quotient and remainder, stay until the next start.
+// operands are taken at the end of EX, and product, or quotient and remainder, stay until the next
+// start.
 // First clock after EX by which an instruction that collects may be in EX itself (the latency):
 //   MUL with MUL_DSP = 1  3: product of the operand registers into the result registers, ID3, EX
 //   MUL with MUL_DSP = 0 18: sixteen add-and-shift steps, ID3, EX

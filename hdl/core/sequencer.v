@@ -21,7 +21,7 @@ module sequencer #(
     output wire                           d1_hold_o
 );
 
-  // ---- IF3 -----------------------------------------------------------------------------------
+  // ---- IF3 -------------------------------------------------------------------------------------
   reg f3_mul;
   reg f3_div;
   integer i;
@@ -34,7 +34,7 @@ module sequencer #(
     end
   end
 
-  // ---- ID1: d1_hold_o has far to go, so little may stand before it ---------------------------
+  // ---- ID1: d1_hold_o has far to go, so little may stand before it -----------------------------
   reg d1_mul_q;
   reg d1_div_q;
   reg d1_waits_q;

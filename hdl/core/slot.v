@@ -32,38 +32,49 @@ module slot #(
     input  wire [              READS*SLOTS-1:0] d2_bit_bank_i,
     input  wire [2*SLOTS*`RUNG_WORD_BITS-1:0]   d2_word_bank_i,
     input  wire [  SLOTS*`RUNG_WORD_BITS-1:0]   d2_word_cross_i,
-    // this slot's writes: devices named in ID2, ID3, EX; enable, value, bank data in EX and after
+    // this slot's writes: device from ID2 on, enable in EX, then enable, value and bank data after
+    // EX (w_), and the data one clock later still (v_)
     output wire [                 BIT_ADDR-1:0] d2_bit_dest_o,
     output wire [                 BIT_ADDR-1:0] d3_bit_dest_o,
     output wire [                 BIT_ADDR-1:0] x_bit_dest_o,
+    output wire [                 BIT_ADDR-1:0] w_bit_dest_o,
     output wire                                 x_bit_we_o,
-    output wire                                 x_bit_bank_o,
     output wire                                 w_bit_we_o,
     output wire                                 w_bit_value_o,
     output wire                                 w_bit_bank_o,
+    output wire                                 v_bit_value_o,
+    output wire                                 v_bit_bank_o,
     output wire [                WORD_ADDR-1:0] d2_word_dest_o,
     output wire [                WORD_ADDR-1:0] d3_word_dest_o,
     output wire [                WORD_ADDR-1:0] x_word_dest_o,
+    output wire [                WORD_ADDR-1:0] w_word_dest_o,
     output wire                                 x_word_we_o,
-    output wire [          `RUNG_WORD_BITS-1:0] x_word_bank_o,
     output wire                                 w_word_we_o,
     output wire [          `RUNG_WORD_BITS-1:0] w_word_value_o,
     output wire [          `RUNG_WORD_BITS-1:0] w_word_bank_o,
+    output wire [          `RUNG_WORD_BITS-1:0] v_word_value_o,
+    output wire [          `RUNG_WORD_BITS-1:0] v_word_bank_o,
     // the writes of all slots, this one among them
     input  wire [           SLOTS*BIT_ADDR-1:0] d2_bit_dest_i,
     input  wire [           SLOTS*BIT_ADDR-1:0] d3_bit_dest_i,
     input  wire [           SLOTS*BIT_ADDR-1:0] x_bit_dest_i,
+    input  wire [           SLOTS*BIT_ADDR-1:0] w_bit_dest_i,
     input  wire [                    SLOTS-1:0] x_bit_we_i,
     input  wire [                    SLOTS-1:0] w_bit_we_i,
     input  wire [                    SLOTS-1:0] w_bit_value_i,
     input  wire [                    SLOTS-1:0] w_bit_bank_i,
+    input  wire [                    SLOTS-1:0] v_bit_value_i,
+    input  wire [                    SLOTS-1:0] v_bit_bank_i,
     input  wire [          SLOTS*WORD_ADDR-1:0] d2_word_dest_i,
     input  wire [          SLOTS*WORD_ADDR-1:0] d3_word_dest_i,
     input  wire [          SLOTS*WORD_ADDR-1:0] x_word_dest_i,
+    input  wire [          SLOTS*WORD_ADDR-1:0] w_word_dest_i,
     input  wire [                    SLOTS-1:0] x_word_we_i,
     input  wire [                    SLOTS-1:0] w_word_we_i,
     input  wire [    SLOTS*`RUNG_WORD_BITS-1:0] w_word_value_i,
     input  wire [    SLOTS*`RUNG_WORD_BITS-1:0] w_word_bank_i,
+    input  wire [    SLOTS*`RUNG_WORD_BITS-1:0] v_word_value_i,
+    input  wire [    SLOTS*`RUNG_WORD_BITS-1:0] v_word_bank_i,
     // an executed division by 0, in the clock after its EX
     output wire                                 w_div_by_0_o
 `ifdef RUNG_RETIRE
@@ -91,6 +102,7 @@ module slot #(
   // ---- the bit side ----------------------------------------------------------------------------
   wire x_exc;
   wire x_bit_value;
+  wire x_bit_bank;
   wire x_exc_next;
   generate
     if (LOOKUP != 0) begin : g_look_up
@@ -115,13 +127,16 @@ module slot #(
           .d2_dest_i(d2_bit_dest_i),
           .d3_dest_i(d3_bit_dest_i),
           .x_dest_i(x_bit_dest_i),
+          .w_dest_i(w_bit_dest_i),
           .x_we_i(x_bit_we_i),
           .w_we_i(w_bit_we_i),
           .w_value_i(w_bit_value_i),
           .w_bank_i(w_bit_bank_i),
+          .v_value_i(v_bit_value_i),
+          .v_bank_i(v_bit_bank_i),
           .x_we_o(x_bit_we_o),
           .x_value_o(x_bit_value),
-          .x_bank_o(x_bit_bank_o),
+          .x_bank_o(x_bit_bank),
           .x_exc_o(x_exc),
           .x_exc_next_o(x_exc_next)
       );
@@ -140,23 +155,26 @@ module slot #(
           .d2_dest_o(d2_bit_dest_o),
           .d3_dest_o(d3_bit_dest_o),
           .x_dest_o(x_bit_dest_o),
+          .w_dest_i(w_bit_dest_i),
           .w_we_i(w_bit_we_i),
           .w_value_i(w_bit_value_i),
+          .v_value_i(v_bit_value_i),
           .x_we_o(x_bit_we_o),
           .x_value_o(x_bit_value),
           .x_exc_o(x_exc),
           .x_exc_next_o(x_exc_next)
       );
       assign d1_row_o = {`RUNG_ROW_BITS{1'b0}};
-      assign x_bit_bank_o = x_bit_value;
+      assign x_bit_bank = x_bit_value;
       // One writer, whose values the unit has already; no LUT.
       wire unused_writers = &{1'b0, d2_bit_dest_i, d3_bit_dest_i, x_bit_dest_i, x_bit_we_i};
-      wire unused_row = &{1'b0, d2_row_i, w_bit_bank_i};
+      wire unused_row = &{1'b0, d2_row_i, w_bit_bank_i, v_bit_bank_i};
     end
   endgenerate
 
   // ---- the word side ---------------------------------------------------------------------------
   wire [`RUNG_WORD_BITS-1:0] x_word_value;
+  wire [`RUNG_WORD_BITS-1:0] x_word_bank;
   word_unit #(
       .LOOKUP(LOOKUP),
       .SLOTS(SLOTS),
@@ -181,36 +199,60 @@ module slot #(
       .d2_dest_i(d2_word_dest_i),
       .d3_dest_i(d3_word_dest_i),
       .x_dest_i(x_word_dest_i),
+      .w_dest_i(w_word_dest_i),
       .x_we_i(x_word_we_i),
       .w_we_i(w_word_we_i),
       .w_value_i(w_word_value_i),
       .w_bank_i(w_word_bank_i),
+      .v_value_i(v_word_value_i),
+      .v_bank_i(v_word_bank_i),
       .x_exc_i(x_exc),
       .x_we_o(x_word_we_o),
       .x_value_o(x_word_value),
-      .x_bank_o(x_word_bank_o),
+      .x_bank_o(x_word_bank),
       .w_div_by_0_o(w_div_by_0_o)
   );
 
-  // ---- after EX: what forwarding and the host read ---------------------------------------------
+  // ---- after EX: what the memories get, and what forwarding and the host read ------------------
   reg w_bit_we_q, w_bit_value_q, w_bit_bank_q;
   reg w_word_we_q;
+  reg [BIT_ADDR-1:0] w_bit_dest_q;
+  reg [WORD_ADDR-1:0] w_word_dest_q;
   reg [`RUNG_WORD_BITS-1:0] w_word_value_q;
   reg [`RUNG_WORD_BITS-1:0] w_word_bank_q;
   always @(posedge clk_i) begin
     w_bit_we_q <= x_bit_we_o;
+    w_bit_dest_q <= x_bit_dest_o;
     w_bit_value_q <= x_bit_value;
-    w_bit_bank_q <= x_bit_bank_o;
+    w_bit_bank_q <= x_bit_bank;
     w_word_we_q <= x_word_we_o;
+    w_word_dest_q <= x_word_dest_o;
     w_word_value_q <= x_word_value;
-    w_word_bank_q <= x_word_bank_o;
+    w_word_bank_q <= x_word_bank;
   end
   assign w_bit_we_o = w_bit_we_q;
+  assign w_bit_dest_o = w_bit_dest_q;
   assign w_bit_value_o = w_bit_value_q;
   assign w_bit_bank_o = w_bit_bank_q;
   assign w_word_we_o = w_word_we_q;
+  assign w_word_dest_o = w_word_dest_q;
   assign w_word_value_o = w_word_value_q;
   assign w_word_bank_o = w_word_bank_q;
+
+  // A step four behind reads the memory in the clock in which it is written.
+  reg v_bit_value_q, v_bit_bank_q;
+  reg [`RUNG_WORD_BITS-1:0] v_word_value_q;
+  reg [`RUNG_WORD_BITS-1:0] v_word_bank_q;
+  always @(posedge clk_i) begin
+    v_bit_value_q <= w_bit_value_q;
+    v_bit_bank_q <= w_bit_bank_q;
+    v_word_value_q <= w_word_value_q;
+    v_word_bank_q <= w_word_bank_q;
+  end
+  assign v_bit_value_o = v_bit_value_q;
+  assign v_bit_bank_o = v_bit_bank_q;
+  assign v_word_value_o = v_word_value_q;
+  assign v_word_bank_o = v_word_bank_q;
 
 `ifdef RUNG_RETIRE
   assign x_exc_next_o   = x_exc_next;

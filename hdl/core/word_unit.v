@@ -24,17 +24,21 @@ module word_unit #(
     // ID2: memory data of s1 (lower) and s2, bank 0 lowest; of rd, in the other banks
     input  wire [2*SLOTS*`RUNG_WORD_BITS-1:0] d2_bank_i,
     input  wire [  SLOTS*`RUNG_WORD_BITS-1:0] d2_cross_i,
-    // the devices that all slots write: steps in ID2, ID3 and EX, and the one before
+    // the devices that all slots write: steps in ID2, ID3 and EX, the one
+    // before (w_) and the one before that (v_)
     output wire [              WORD_ADDR-1:0] d2_dest_o,
     output wire [              WORD_ADDR-1:0] d3_dest_o,
     output wire [              WORD_ADDR-1:0] x_dest_o,
     input  wire [        SLOTS*WORD_ADDR-1:0] d2_dest_i,
     input  wire [        SLOTS*WORD_ADDR-1:0] d3_dest_i,
     input  wire [        SLOTS*WORD_ADDR-1:0] x_dest_i,
+    input  wire [        SLOTS*WORD_ADDR-1:0] w_dest_i,
     input  wire [                  SLOTS-1:0] x_we_i,
     input  wire [                  SLOTS-1:0] w_we_i,
     input  wire [  SLOTS*`RUNG_WORD_BITS-1:0] w_value_i,
     input  wire [  SLOTS*`RUNG_WORD_BITS-1:0] w_bank_i,
+    input  wire [  SLOTS*`RUNG_WORD_BITS-1:0] v_value_i,
+    input  wire [  SLOTS*`RUNG_WORD_BITS-1:0] v_bank_i,
     // EX: the slot's accumulator; the write (value, and what this slot's bank gets)
     input  wire                               x_exc_i,
     output wire                               x_we_o,
@@ -49,7 +53,7 @@ module word_unit #(
   localparam [1:0] CONSTANT_S2 = 2'd1;
   localparam [1:0] CONSTANT_S1 = 2'd2;
 
-  // ---- ID1 -----------------------------------------------------------------------------
+  // ---- ID1 -------------------------------------------------------------------------------------
   wire [BITS-1:0] d1_source = d1_fields_i[BITS-1:0];
   wire [WORD_ADDR-1:0] d1_rs = d1_fields_i[RS_AT+:WORD_ADDR];
   wire [WORD_ADDR-1:0] d1_rd = d1_fields_i[RD_AT+:WORD_ADDR];
@@ -58,7 +62,7 @@ module word_unit #(
   assign d1_addr_o = {d1_kind == CONSTANT_S1 ? d1_rs : d1_source[WORD_ADDR-1:0], d1_rs};
   assign d1_dest_o = d1_rd;
 
-  // ---- ID2: decode -------------------------------------------------------------------------------
+  // ---- ID2: decode -----------------------------------------------------------------------------
   reg [`RUNG_OP_BITS-1:0] d2_op_q;
   reg [1:0] d2_kind_q;
   reg d2_u_q;
@@ -106,7 +110,7 @@ module word_unit #(
     endcase
   end
 
-  // ---- ID3 ---------------------------------------------------------------------------------------
+  // ---- ID3 -------------------------------------------------------------------------------------
   reg d3_we_q, d3_collect_q, d3_high_q, d3_subtract_q, d3_start_q, d3_div_q, d3_u_q;
   reg d3_device1_q, d3_device2_q, d3_move_q;
   reg [BITS-1:0] d3_source_q;
@@ -156,12 +160,14 @@ module word_unit #(
       .d2_dest_i(d2_dest_i),
       .d3_dest_i(d3_dest_i),
       .x_dest_i(x_dest_i),
+      .w_dest_i(w_dest_i),
       .d2_bank_i(d2_bank_i[0+:SLOTS*BITS]),
       .d3_device_i(d3_device1_q),
       .d3_other_i(d3_other1),
       .x_we_i(x_we_i),
       .w_we_i(w_we_i),
       .w_data_i(w_value_i),
+      .v_data_i(v_value_i),
       .x_value_o(x_s1)
   );
 
@@ -176,12 +182,14 @@ module word_unit #(
       .d2_dest_i(d2_dest_i),
       .d3_dest_i(d3_dest_i),
       .x_dest_i(x_dest_i),
+      .w_dest_i(w_dest_i),
       .d2_bank_i(d2_bank_i[SLOTS*BITS+:SLOTS*BITS]),
       .d3_device_i(d3_device2_q),
       .d3_other_i(d3_other2),
       .x_we_i(x_we_i),
       .w_we_i(w_we_i),
       .w_data_i(w_value_i),
+      .v_data_i(v_value_i),
       .x_value_o(x_s2)
   );
 
@@ -192,7 +200,8 @@ module word_unit #(
     for (i = 0; i < SLOTS; i = i + 1) begin : g_cross
       if (i == SLOT) begin : g_own
         assign x_cross[i*BITS+:BITS] = {BITS{1'b0}};
-        wire unused_own = &{1'b0, d2_cross_i[i*BITS+:BITS], w_bank_i[i*BITS+:BITS]};
+        wire unused_own = &{1'b0, d2_cross_i[i*BITS+:BITS]};
+        wire unused_bank = &{1'b0, w_bank_i[i*BITS+:BITS], v_bank_i[i*BITS+:BITS]};
       end else begin : g_other
         operand #(
             .WIDTH(BITS),
@@ -204,12 +213,14 @@ module word_unit #(
             .d2_dest_i(d2_dest_i[i*WORD_ADDR+:WORD_ADDR]),
             .d3_dest_i(d3_dest_i[i*WORD_ADDR+:WORD_ADDR]),
             .x_dest_i(x_dest_i[i*WORD_ADDR+:WORD_ADDR]),
+            .w_dest_i(w_dest_i[i*WORD_ADDR+:WORD_ADDR]),
             .d2_bank_i(d2_cross_i[i*BITS+:BITS]),
             .d3_device_i(1'b1),
             .d3_other_i({BITS{1'b0}}),
             .x_we_i(x_we_i[i]),
             .w_we_i(w_we_i[i]),
             .w_data_i(w_bank_i[i*BITS+:BITS]),
+            .v_data_i(v_bank_i[i*BITS+:BITS]),
             .x_value_o(x_cross[i*BITS+:BITS])
         );
       end

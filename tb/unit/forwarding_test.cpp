@@ -12,7 +12,7 @@ namespace {
 
 using isa::Opcode;
 
-constexpr int kMaxDistance = 5;
+constexpr int kMaxDistance = 6;
 constexpr int kDevice = 30;
 constexpr int kOther = 31;
 constexpr int kOne = 1;   // bit that is 1
@@ -145,7 +145,7 @@ TEST_P(Forwarding, WordsFromEverySlotToEveryOperand) {
   }
 }
 
-// Four writes to one device at all distances 1 to 5, by all sequences of slots: the bank that a
+// Four writes to one device at all distances 1 to 6, by all sequences of slots: the bank that a
 // slot writes depends on what the others hold.
 TEST_P(Forwarding, SlotsRewriteEachOthersDevices) {
   Bench bench(GetParam());

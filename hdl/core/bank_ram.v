@@ -7,7 +7,8 @@
 module bank_ram #(
     parameter WIDTH = 16,  // bits of a word
     parameter DEPTH = 256,  // words
-    parameter ADDR_BITS = 8  // bits of an address
+    parameter ADDR_BITS = 8,  // bits of an address
+    parameter CLEARED = 1  // 1: all words are 0 when the FPGA has been configured
 ) (
     input  wire                 clk_i,
     // read: data_o belongs to the address of the last clock in which read_i was 1
@@ -23,9 +24,14 @@ module bank_ram #(
   (* no_rw_check, ram_style = "block" *) reg [WIDTH-1:0] words[0:DEPTH-1];
   reg [WIDTH-1:0] read_data_q;
 
-  // The copies of a bank have to start alike; the bitstream sees to it.
-  integer i;
-  initial for (i = 0; i < DEPTH; i = i + 1) words[i] = {WIDTH{1'b0}};
+  // The copies of a bank have to start alike; the bitstream sees to it. The instruction memory goes
+  // without: Yosys takes minutes over its many words.
+  generate
+    if (CLEARED != 0) begin : g_cleared
+      integer i;
+      initial for (i = 0; i < DEPTH; i = i + 1) words[i] = {WIDTH{1'b0}};
+    end
+  endgenerate
 
   always @(posedge clk_i) begin
     if (write_i) words[write_addr_i] <= write_data_i;

@@ -113,7 +113,8 @@ module fetch #(
       bank_ram #(
           .WIDTH(CHUNK_BITS),
           .DEPTH(STEPS),
-          .ADDR_BITS(PC_BITS)
+          .ADDR_BITS(PC_BITS),
+          .CLEARED(0)
       ) memory (
           .clk_i(clk_i),
           .read_i(!d1_hold_i),

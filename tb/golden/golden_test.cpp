@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every program of tb/golden/programs against its golden trace, on every engine.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+
+#include "driver/compile.hpp"
+#include "lockstep/machine.hpp"
+#include "melsec/list.hpp"
+#include "melsec/paper.hpp"
+#include "reference/run.hpp"
+#include "trace/compare.hpp"
+
+namespace rung::tb {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> names() {
+  std::vector<std::string> found;
+  for (const auto& entry : fs::directory_iterator(RUNG_GOLDEN_PROGRAMS)) {
+    if (entry.path().extension() == ".il") found.push_back(entry.path().stem().string());
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+class Golden : public testing::TestWithParam<std::string> {
+ protected:
+  void SetUp() override {
+    const fs::path path = fs::path(RUNG_GOLDEN_PROGRAMS) / GetParam();
+    Diagnostics diagnostics;
+    const auto bytes = read_bytes(path.string() + ".golden", diagnostics);
+    ASSERT_TRUE(bytes);
+    auto golden = read_trace(*bytes, GetParam(), diagnostics);
+    ASSERT_TRUE(golden);
+    golden_ = std::move(*golden);
+    for (const Dialect dialect : {Dialect::Paper, Dialect::Fx, Dialect::Q}) {
+      if (dialect_name(dialect) == golden_.header.dialect) dialect_ = dialect;
+    }
+    const auto source = read_text(path.string() + ".il", diagnostics);
+    ASSERT_TRUE(source);
+    auto program = parse_list(*source, dialect_, diagnostics);
+    ASSERT_TRUE(program);
+    program_ = std::move(*program);
+    auto stimulus = stimulus_of(golden_, dialect_, GetParam(), diagnostics);
+    ASSERT_TRUE(stimulus);
+    stimulus_ = std::move(*stimulus);
+  }
+
+  void run(isa::Mpu mpu, bool paper, const isa::Config& config) {
+    SCOPED_TRACE(testing::Message()
+                 << "MPU" << static_cast<int>(mpu) << (paper ? " --paper " : " ") << config.name
+                 << "; replay: build/bin/rung check tb/golden/programs/" << GetParam()
+                 << ".il --golden tb/golden/programs/" << GetParam() << ".golden --mpu "
+                 << static_cast<int>(mpu) << " --config " << config.name
+                 << (paper ? " --paper" : ""));
+    CompileOptions options;
+    options.mpu = mpu;
+    options.paper = paper;
+    options.config = &config;
+    Diagnostics diagnostics;
+    const auto compiled = compile(program_, options, diagnostics);
+    if (!compiled) {
+      // Only what the configuration is too small for.
+      EXPECT_GT(program_.instructions.size(), 100U);
+      return;
+    }
+    const auto processor = make_processor(mpu, config);
+    Machine machine(compiled->image, *processor);
+    MachineRun engine(machine, true);
+    TraceComparison comparison(false);
+    for (std::size_t k = 0; k < golden_.scans.size(); ++k) {
+      const TraceScan got = engine.scan(stimulus_.events(k));
+      const auto difference = comparison.next(golden_.scans[k], got);
+      ASSERT_FALSE(difference) << describe(*difference);
+      ASSERT_EQ(got.clocks, compiled->image.clocks) << "scan " << k;
+    }
+    ++ran_;
+  }
+
+  Dialect dialect_ = Dialect::Fx;
+  Trace golden_;
+  Program program_;
+  Stimulus stimulus_;
+  int ran_ = 0;
+};
+
+TEST_P(Golden, Reference) {
+  ReferenceRun engine(program_, true);
+  TraceComparison comparison(false);
+  for (std::size_t k = 0; k < golden_.scans.size(); ++k) {
+    const auto difference = comparison.next(golden_.scans[k], engine.scan(stimulus_.events(k)));
+    ASSERT_FALSE(difference) << describe(*difference);
+  }
+  EXPECT_GE(golden_.scans.size(), 5U);
+}
+
+TEST_P(Golden, Processors) {
+  Diagnostics diagnostics;
+  const bool table4 = dialect_ == Dialect::Paper && check_paper(program_, diagnostics);
+  for (const isa::Config& config : isa::configs()) {
+    for (const isa::Mpu mpu : {isa::Mpu::Mpu1, isa::Mpu::Mpu2, isa::Mpu::Mpu3}) {
+      run(mpu, false, config);
+      if (table4) run(mpu, true, config);
+      if (HasFatalFailure()) return;
+    }
+  }
+  EXPECT_GE(ran_, 3) << "every program fits the largest configuration";
+}
+
+INSTANTIATE_TEST_SUITE_P(Programs, Golden, testing::ValuesIn(names()),
+                         [](const auto& info) { return info.param; });
+
+}  // namespace
+}  // namespace rung::tb

@@ -14,8 +14,10 @@ CONFIG  ?= ecp5
 PROGRAM ?=
 JOBS    ?= 2
 
-# What `make build` builds, into build/bin
-PROGRAMS := rung
+# What `make build` builds, into build/bin, and what only reports need
+PROGRAMS := rung rung-samples
+REPORTERS := rung-steps
+RELEASE := -DCMAKE_BUILD_TYPE=Release -DCMAKE_RUNTIME_OUTPUT_DIRECTORY=$(CURDIR)/build/bin
 
 CMAKE   ?= cmake
 CTEST   ?= ctest
@@ -43,12 +45,12 @@ define cmake_build
 endef
 
 .PHONY: build
-build: ## the rung program, build/bin/rung
+build: ## the rung program, build/bin/rung, and the generator of stand-in samples
 	@scripts/setup.sh build
-	$(call cmake_build,build/release,-DCMAKE_BUILD_TYPE=Release -DCMAKE_RUNTIME_OUTPUT_DIRECTORY=$(CURDIR)/build/bin,--target $(PROGRAMS))
+	$(call cmake_build,build/release,$(RELEASE),--target $(PROGRAMS))
 
 .PHONY: sim
-sim: build ## compile, run on the three processors, check against the golden trace; PROGRAM= chooses
+sim: build ## run a program on the three processors, checked against its golden trace; PROGRAM=, CONFIG=
 	@$(PYTHON) scripts/sim.py $(if $(PROGRAM),--program $(PROGRAM)) --config $(CONFIG)
 
 .PHONY: test
@@ -85,8 +87,12 @@ bench: build ## scan times of the samples beside soft cores and this machine, in
 	@$(VENV)/python scripts/report_area.py
 
 .PHONY: report
-report: build ## all reports, in order: area and clock, then bench
+report: build ## all reports, in order: steps, area and clock, then bench
 	@scripts/setup.sh bench
+	$(call cmake_build,build/release,$(RELEASE),--target $(REPORTERS))
+	@build/bin/rung-steps $$(date +%F) >build/steps.md
+	@mv build/steps.md reports/steps.md
+	@echo 'wrote reports/steps.md'
 	@$(VENV)/python scripts/pnr.py --jobs $(JOBS)
 	@$(MAKE) --no-print-directory bench
 

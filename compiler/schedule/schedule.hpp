@@ -46,8 +46,8 @@ struct SearchOptions {
   int tries = 64;  // schedules tried at most; the search ends early at the lower bound
   std::uint64_t seed = 1;
   bool by_steps = false;  // fewest steps, then clocks; else fewest clocks, then steps
-  // Home banks instead of XOR banks: every device has one slot that may write it (see
-  // reports/write-ports.md). Only for that comparison; the processors do not need it.
+  // Home banks instead of XOR banks: every device has one slot that may write it. Only for the
+  // comparison in reports/steps.md; the processors do not need it.
   bool home_banks = false;
 };
 

@@ -92,6 +92,7 @@ class Graph {
       ++unit_in_[to];
     }
     find_tails();
+    find_writers();
   }
 
   const Problem& problem() const { return problem_; }
@@ -99,6 +100,9 @@ class Graph {
   int unit_of(OpId op) const { return unit_of_[op]; }
   const std::vector<int>& followers(int unit) const { return unit_out_[unit]; }
   const std::vector<int>& pending() const { return unit_in_; }
+  // Units that write a common device, or are linked by such units, have the same number; -1: the
+  // unit writes no device.
+  int writers(int unit) const { return writers_[unit]; }
   // Steps from the unit's start to the end of the longest chain that hangs on it.
   int tail(int unit) const { return tail_[problem_.mapping->units[unit].ops.front()]; }
 
@@ -121,8 +125,33 @@ class Graph {
     }
   }
 
+  void find_writers() {
+    const Mapping& mapping = *problem_.mapping;
+    std::map<Device, std::vector<int>> by_device;
+    for (std::size_t op = 0; op < mapping.ops.size(); ++op) {
+      const mapping::Destination& to = mapping.ops[op].destination;
+      if (to.kind == mapping::Destination::Kind::Device)
+        by_device[to.device].push_back(unit_of_[op]);
+    }
+    writers_.assign(mapping.units.size(), -1);
+    for (const auto& [device, units] : by_device) {
+      for (const int unit : units) writers_[unit] = unit;
+    }
+    const auto root = [&](int unit) {
+      while (writers_[unit] != unit) unit = writers_[unit];
+      return unit;
+    };
+    for (const auto& [device, units] : by_device) {
+      for (const int unit : units) writers_[root(unit)] = root(units.front());
+    }
+    for (int& group : writers_) {
+      if (group >= 0) group = root(group);
+    }
+  }
+
   const Problem& problem_;
   std::vector<int> unit_of_;
+  std::vector<int> writers_;
   std::vector<std::vector<Edge>> in_, out_;
   std::vector<std::vector<int>> unit_out_;
   std::vector<int> unit_in_;
@@ -150,7 +179,7 @@ class Attempt {
     while (!ready.empty()) {
       const int unit = ready.top().second;
       ready.pop();
-      place(mapping_.units[unit]);
+      place(unit);
       ++placed;
       for (const int follower : graph_.followers(unit)) {
         if (--pending[follower] == 0) ready.push({priority_[follower], follower});
@@ -227,15 +256,17 @@ class Attempt {
     return std::nullopt;
   }
 
-  void place(const Unit& unit) {
+  void place(int number) {
+    const Unit& unit = mapping_.units[number];
     std::optional<Place> best;
     for (int slot = 0; slot < static_cast<int>(lanes_.size()); ++slot) {
-      if (!allowed(unit, slot)) continue;
+      if (!allowed(number, slot)) continue;
       Place place = find(unit, slot);
       if (!best || place.end() < best->end()) best = std::move(place);
     }
     assert(best);
     commit(unit, *best);
+    if (graph_.writers(number) >= 0) home_.try_emplace(graph_.writers(number), best->slot);
   }
 
   void commit(const Unit& unit, const Place& place) {
@@ -246,7 +277,6 @@ class Attempt {
       lane.put(place.ops[i], op);
       time_[op] = place.ops[i];
       if (starts_unit(mapping_.ops[op].opcode)) lane.busy[place.ops[i]] = place.ops[i];
-      claim(op, place.slot);
     }
     for (std::size_t i = 0; i < unit.collectors.size(); ++i) {
       const OpId op = unit.collectors[i];
@@ -254,27 +284,14 @@ class Attempt {
       time_[op] = place.collectors[i];
       int& last = lane.busy[time_[mapping_.ops[op].started_by]];
       last = std::max(last, place.collectors[i]);
-      claim(op, place.slot);
     }
   }
 
-  // --- Home banks: the first slot that writes a device is the only one that may ---
+  // --- Home banks: the slot of the first unit that writes a device has its bank ---
 
-  bool allowed(const Unit& unit, int slot) const {
-    if (!home_banks_) return true;
-    const auto fits = [&](OpId op) {
-      const auto found = home_.find(mapping_.ops[op].destination.device);
-      return mapping_.ops[op].destination.kind != mapping::Destination::Kind::Device ||
-             found == home_.end() || found->second == slot;
-    };
-    return std::all_of(unit.ops.begin(), unit.ops.end(), fits) &&
-           std::all_of(unit.collectors.begin(), unit.collectors.end(), fits);
-  }
-
-  void claim(OpId op, int slot) {
-    const mapping::Destination& to = mapping_.ops[op].destination;
-    if (home_banks_ && to.kind == mapping::Destination::Kind::Device)
-      home_.try_emplace(to.device, slot);
+  bool allowed(int unit, int slot) const {
+    const auto found = home_.find(graph_.writers(unit));
+    return !home_banks_ || found == home_.end() || found->second == slot;
   }
 
   Schedule result() const {
@@ -296,7 +313,7 @@ class Attempt {
   bool home_banks_;
   std::vector<Lane> lanes_;
   std::vector<int> time_;
-  std::map<Device, int> home_;
+  std::map<int, int> home_;  // writers() of a unit -> slot
 };
 
 }  // namespace

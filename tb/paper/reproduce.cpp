@@ -32,6 +32,10 @@ Compiled compile_for(const Program& program, isa::Mpu mpu, bool paper) {
   CompileOptions options;
   options.mpu = mpu;
   options.paper = paper;
+  return compile_with(program, options);
+}
+
+Compiled compile_with(const Program& program, const CompileOptions& options) {
   Diagnostics diagnostics;
   auto compiled = compile(program, options, diagnostics);
   if (!compiled) refuse(diagnostics);
@@ -109,6 +113,16 @@ SampleSteps sample_steps(int sample, int density, std::uint64_t seed) {
   result.mpu3_default = steps(best);
   result.bound_default = best.schedule->lower_bound;
   result.mpu3_default_clocks = best.image.clocks;
+  return result;
+}
+
+WritePortSteps write_port_steps(int sample, int density, std::uint64_t seed) {
+  const Program program = parse(sample_program(sample, density, seed));
+  WritePortSteps result;
+  CompileOptions options;
+  result.xor_banks = static_cast<int>(compile_with(program, options).image.steps.size());
+  options.search.home_banks = true;
+  result.home_banks = static_cast<int>(compile_with(program, options).image.steps.size());
   return result;
 }
 

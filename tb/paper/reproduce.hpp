@@ -16,6 +16,7 @@ namespace rung::paper {
 Program parse(const std::string& text);
 // Compiled with --paper or without; throws std::logic_error if it does not fit.
 Compiled compile_for(const Program& program, isa::Mpu mpu, bool paper);
+Compiled compile_with(const Program& program, const CompileOptions& options);
 
 // The programs of Figures 2 and 14.
 std::string figure2();
@@ -44,5 +45,12 @@ struct SampleSteps {
   std::int64_t mpu3_clocks = 0, mpu3_default_clocks = 0;
 };
 SampleSteps sample_steps(int sample, int density, std::uint64_t seed);
+
+// Steps on MPU3, default mode, with XOR banks as built and if every device had a home slot.
+struct WritePortSteps {
+  int xor_banks = 0;
+  int home_banks = 0;
+};
+WritePortSteps write_port_steps(int sample, int density, std::uint64_t seed);
 
 }  // namespace rung::paper

@@ -78,8 +78,8 @@ void formula() {
 }
 
 // "530 (526 to 533)": median, minimum and maximum.
-template <typename F>
-std::string spread(std::vector<paper::SampleSteps> all, F&& of) {
+template <typename T, typename F>
+std::string spread(const std::vector<T>& all, F&& of) {
   std::vector<double> values;
   for (const auto& one : all) values.push_back(static_cast<double>(of(one)));
   std::sort(values.begin(), values.end());
@@ -127,6 +127,30 @@ void table8() {
   }
 }
 
+void write_ports() {
+  fmt::print(
+      "\n## Two write ports: XOR banks or home banks\n\n"
+      "Steps of MPU3, default mode, if any slot may write any device (XOR banks, as built) and if "
+      "the "
+      "slot of the first rung\nthat writes a device is the only one that may (home banks: fewer "
+      "block "
+      "RAMs, but rungs that share a coil share a slot).\nSeeds 1 to {}, median (minimum to "
+      "maximum).\n\n"
+      "| sample | density | XOR banks | home banks |\n|---|---|---|---|\n",
+      kSeeds);
+  for (int sample = 1; sample <= 3; ++sample) {
+    for (const int density : kDensities) {
+      std::vector<paper::WritePortSteps> all;
+      for (int seed = 1; seed <= kSeeds; ++seed) {
+        all.push_back(paper::write_port_steps(sample, density, seed));
+      }
+      fmt::print("| {} | {} % | {} | {} |\n", sample, density,
+                 spread(all, [](const auto& s) { return s.xor_banks; }),
+                 spread(all, [](const auto& s) { return s.home_banks; }));
+    }
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -142,5 +166,6 @@ int main(int argc, char** argv) {
   tables();
   formula();
   table8();
+  write_ports();
   return 0;
 }

@@ -3,7 +3,7 @@
 // operands are taken at the end of EX, and product, or quotient and remainder, stay until the next
 // start.
 // First clock after EX by which an instruction that collects may be in EX itself (the latency):
-//   MUL with MUL_DSP = 1  3: product of the operand registers into the result registers, ID3, EX
+//   MUL with MUL_DSP = 1  3: product of the operand registers into a register, ID3, EX
 //   MUL with MUL_DSP = 0 18: sixteen add-and-shift steps, ID3, EX
 //   DIV                  19: |dividend|, sixteen restoring steps, ID3 (which applies the signs), EX
 // Division truncates towards 0, the remainder has the dividend's sign, -32768 / -1 is -32768.
@@ -55,15 +55,6 @@ module muldiv #(
   wire negate = div_q && sign;
   wire [15:0] signed_value = (magnitude ^ {16{negate}}) + {15'd0, negate};
 
-  wire [31:0] product;
-  generate
-    if (MUL_DSP != 0) begin : g_dsp
-      assign product = $signed(low_q) * $signed(divisor_q);
-    end else begin : g_no_dsp
-      assign product = 32'd0;
-    end
-  endgenerate
-
   always @(posedge clk_i) begin
     if (x_start_i) begin
       div_q <= x_div_i;
@@ -74,8 +65,6 @@ module muldiv #(
     end else if (first_q && div_q) begin
       negative_q <= low_q[15];
       low_q <= signed_value;
-    end else if (first_q && MUL_DSP != 0) begin
-      {high_q, low_q} <= product;
     end else if (run_q) begin
       count_q <= count_q + 4'd1;
       if (div_q) begin
@@ -113,7 +102,18 @@ module muldiv #(
     end
   end
 
-  assign d3_result_o = signed_value;
+  generate
+    if (MUL_DSP != 0) begin : g_dsp
+      reg [31:0] product_q;
+      always @(posedge clk_i) begin
+        if (first_q) product_q <= $signed(low_q) * $signed(divisor_q);
+      end
+      wire [15:0] product_word = d3_high_i ? product_q[31:16] : product_q[15:0];
+      assign d3_result_o = div_q ? signed_value : product_word;
+    end else begin : g_no_dsp
+      assign d3_result_o = signed_value;
+    end
+  endgenerate
   assign d3_valid_o  = valid_q;
 
 endmodule

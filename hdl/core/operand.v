@@ -2,7 +2,7 @@
 // One operand from ID1 to EX, with forwarding. What a step computes in EX stands in registers (w_)
 // in the next clock, at the end of which the device memory is written. The four steps behind it
 // have then read the memory too early: distances 4 and 3 are mended in ID2, distance 2 in ID3,
-// distance 1 in EX. From distance 5 on the memory has it. The memory's data come late and from afar:
+// distance 1 in EX. From distance 5 on the memory has it. The memory's data come late, from afar:
 // they go into a register and nowhere else.
 `default_nettype none
 

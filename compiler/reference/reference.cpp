@@ -49,7 +49,6 @@ bool Reference::step() {
     ++network_;
     blocks_.clear();
     branches_.clear();
-    open_ = false;
     result_ = false;
   }
   execute(program_.instructions[next_]);
@@ -154,8 +153,8 @@ std::int16_t Reference::value(const WordSource& source) const {
 }
 
 void Reference::load(bool value) {
-  if (open_) blocks_.push_back(result_);
-  open_ = true;
+  // At the start of a network this keeps a result that no ANB or ORB will ask for.
+  blocks_.push_back(result_);
   result_ = value;
 }
 

@@ -62,7 +62,6 @@ class Reference {
   std::size_t next_ = 0;
   std::size_t network_ = 0;  // the one that next_ is in, or that begins there
   bool result_ = false;
-  bool open_ = false;         // an LD has been executed in this network
   std::vector<bool> blocks_;  // results that wait for ANB or ORB
   std::vector<bool> branches_;
   std::vector<ReferenceWrite> writes_;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reading and writing files, and the order of diagnostics.
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -78,6 +80,25 @@ TEST_F(Files, AFailureLeavesNothingBehind) {
                         "{0}:1:1: error: cannot write it: this is a directory\n"
                         "/dev/full:1:1: error: cannot write it: No space left on device\n",
                         directory_.string()));
+}
+
+TEST_F(Files, AFullDiskLeavesTheOldOne) {
+  ASSERT_TRUE(write_file(path("a"), "old", diagnostics_));
+  // A limit on the size of files stands for the full disk: the write fails half way.
+  rlimit before{};
+  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  rlimit small = before;
+  small.rlim_cur = 1000;
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
+  const bool written = write_file(path("a"), std::string(5000, 'x'), diagnostics_);
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_FALSE(written);
+  EXPECT_EQ(printed(diagnostics_),
+            fmt::format("{}:1:1: error: cannot write it: File too large\n", path("a")));
+  EXPECT_EQ(contents(path("a")), "old");
+  EXPECT_EQ(entries(), 1);
 }
 
 TEST_F(Files, ThatCannotBeRead) {

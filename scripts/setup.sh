@@ -20,7 +20,7 @@ logs=$build/logs
 venv=$build/venv
 requirements=$root/scripts/requirements.txt
 
-build_packages=(g++ make cmake ninja-build ccache verilator python3 zlib1g-dev
+build_packages=(g++ cmake ninja-build ccache verilator python3 zlib1g-dev
                 libgtest-dev libcli11-dev libfmt-dev nlohmann-json3-dev libutfcpp-dev)
 venv_packages=(python3 python3-venv ca-certificates)
 
@@ -75,7 +75,6 @@ debian() {
 # Make build/venv what requirements.txt says. Yosys and nextpnr come as WebAssembly, which the first
 # run on a machine compiles: done here, so that no later step seems to hang.
 python_environment() {
-  debian "${venv_packages[@]}"
   local stamp=$venv/.requirements want
   want=$(sha256sum <"$requirements")
   if [ "$(cat "$stamp" 2>/dev/null)" = "$want" ]; then
@@ -97,8 +96,17 @@ python_environment() {
 [ $# = 1 ] || fail "usage: setup.sh build|lint|flow|bench"
 case $1 in
   build) debian "${build_packages[@]}" ;;
-  lint) debian "${build_packages[@]}" clang-format; python_environment ;;
-  flow) python_environment ;;
-  bench) debian "${build_packages[@]}" gcc-riscv64-unknown-elf; python_environment ;;
+  lint)
+    debian "${build_packages[@]}" "${venv_packages[@]}" clang-format
+    python_environment
+    ;;
+  flow)
+    debian "${venv_packages[@]}"
+    python_environment
+    ;;
+  bench)
+    debian "${build_packages[@]}" "${venv_packages[@]}" gcc-riscv64-unknown-elf
+    python_environment
+    ;;
   *) fail "unknown group '$1': build, lint, flow or bench" ;;
 esac

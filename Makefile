@@ -29,7 +29,7 @@ FLOW    := --mpu $(MPU) --board $(BOARD)
 help: ## this list
 	@echo 'make TARGET [NAME=VALUE ...]'
 	@grep -E '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | \
-	  awk -F ':.*## ' '{ printf "  %-8s %s\n", $$1, $$2 }'
+	  awk -F ':.*## ' '{ printf "  %-9s %s\n", $$1, $$2 }'
 	@echo 'Values (defaults): MPU="$(MPU)" BOARD="$(BOARD)" SEEDS="$(SEEDS)" CONFIG=$(CONFIG) JOBS=$(JOBS)'
 
 # One CMake build directory: configure if needed, then build.
@@ -76,7 +76,7 @@ synth: ## netlists of the processors in their board tops; MPU= BOARD=
 	@$(VENV)/python scripts/synth.py $(FLOW)
 
 .PHONY: pnr
-pnr: ## place and route, area and clock into reports/area-timing.*; MPU= BOARD= SEEDS=
+pnr: ## place and route: area and clock, into reports/ if all of them run; MPU= BOARD= SEEDS=
 	@scripts/setup.sh flow
 	@$(VENV)/python scripts/pnr.py $(FLOW) --seeds $(SEEDS) --jobs $(JOBS)
 
@@ -87,12 +87,13 @@ bench: build ## scan times of the samples beside soft cores and this machine, in
 	@$(VENV)/python scripts/report_area.py
 
 .PHONY: report
-report: build ## all reports, in order: steps, area and clock, then bench
+report: build ## all reports, in order: steps, programs, area and clock, bench
 	@scripts/setup.sh bench
 	$(call cmake_build,build/release,$(RELEASE),--target $(REPORTERS))
 	@build/bin/rung-steps $$(date +%F) >build/steps.md
 	@mv build/steps.md reports/steps.md
 	@echo 'wrote reports/steps.md'
+	@$(PYTHON) scripts/programs_report.py
 	@$(VENV)/python scripts/pnr.py --jobs $(JOBS)
 	@$(MAKE) --no-print-directory bench
 

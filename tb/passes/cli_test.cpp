@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: Apache-2.0
+// The rung program as users call it: exit codes, where output goes, and what wrong input leaves
+// behind.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Result {
+  int code = -1;
+  std::string out, err;
+};
+
+class Cli : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::temp_directory_path() /
+              ("rung-cli-" + std::string(info->name()) + "-" + std::to_string(::getpid()));
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  std::string file(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+    return (folder_ / name).string();
+  }
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  static std::string read(const std::string& name) {
+    std::ostringstream text;
+    text << std::ifstream(name, std::ios::binary).rdbuf();
+    return text.str();
+  }
+  std::size_t files() const {
+    return static_cast<std::size_t>(
+        std::distance(fs::directory_iterator(folder_), fs::directory_iterator{}));
+  }
+
+  Result rung(const std::string& arguments, const std::string& input = "/dev/null") const {
+    const std::string out = path(".out");
+    const std::string err = path(".err");
+    const std::string command =
+        std::string(RUNG_PROGRAM) + " " + arguments + " <" + input + " >" + out + " 2>" + err;
+    const int status = std::system(command.c_str());
+    Result result{WIFEXITED(status) ? WEXITSTATUS(status) : -1, read(out), read(err)};
+    fs::remove(out);
+    fs::remove(err);
+    return result;
+  }
+
+  fs::path folder_;
+};
+
+constexpr const char* kMotor = "LD X0\nOR Y0\nANI X1\nOUT Y0\nEND\n";
+
+TEST_F(Cli, CompileSaysItsCountsAsJson) {
+  const Result r = rung("compile " + file("motor.il", kMotor) + " --mpu 2 --json");
+  EXPECT_EQ(r.code, 0);
+  EXPECT_EQ(r.err, "");
+  const auto json = nlohmann::json::parse(r.out);
+  for (const char* key :
+       {"program", "mpu", "dialect", "config", "rungs", "instructions", "contacts", "runs",
+        "lookups", "steps", "clocks", "lut_rows", "bit_devices", "word_devices"}) {
+    EXPECT_TRUE(json.contains(key)) << key;
+  }
+  EXPECT_EQ(json["mpu"], 2);
+  EXPECT_EQ(json["rungs"], 1);
+  EXPECT_EQ(json["instructions"], 4);
+  EXPECT_EQ(json["contacts"], 3);
+  EXPECT_EQ(json["runs"], 1);
+  EXPECT_EQ(json["lookups"], 1);
+  EXPECT_EQ(json["steps"], 1);
+  EXPECT_EQ(json["bit_devices"], 3);
+}
+
+TEST_F(Cli, AnImageRunsAsTheProgramDoes) {
+  const std::string program = file("motor.il", kMotor);
+  const std::string stimulus = file("motor.stim", "X0=1\nX0=0\nX1=1\n\n");
+  for (const char* mpu : {"1", "2", "3"}) {
+    const std::string on = std::string(" --mpu ") + mpu;
+    ASSERT_EQ(rung("compile " + program + on + " -o " + path("motor.img")).code, 0);
+    ASSERT_EQ(
+        rung("run " + path("motor.img") + " --stimulus " + stimulus + " --trace " + path("a")).code,
+        0);
+    ASSERT_EQ(
+        rung("run " + program + on + " --stimulus " + stimulus + " --trace " + path("b")).code, 0);
+    EXPECT_EQ(read(path("a")), read(path("b")));
+    EXPECT_EQ(rung("check " + path("motor.img") + " --golden " + path("b")).code, 0);
+    EXPECT_EQ(rung("check " + program + " --mpu reference --golden " + path("b")).code, 0);
+  }
+}
+
+TEST_F(Cli, StandardInputAndOutput) {
+  const std::string program = file("motor.il", kMotor);
+  const Result image = rung("compile - -o -", program);
+  EXPECT_EQ(image.code, 0);
+  EXPECT_EQ(image.out.substr(0, 7), "RUNGIMG");
+  const Result trace = rung("run - --mpu reference --scans 2 --trace -", program);
+  EXPECT_EQ(trace.code, 0);
+  EXPECT_EQ(std::count(trace.out.begin(), trace.out.end(), '\n'), 3);
+}
+
+TEST_F(Cli, ADifferenceFromTheGoldenTraceIsExit3) {
+  const std::string program = file("motor.il", kMotor);
+  const std::string stimulus = file("motor.stim", "X0=1\n");
+  ASSERT_EQ(rung("run " + program + " --stimulus " + stimulus + " --trace " + path("t")).code, 0);
+  std::string golden = read(path("t"));
+  golden.replace(golden.find("[\"Y0\",1]"), 8, "[\"Y0\",0]");
+  const Result r = rung("check " + program + " --golden " + file("bad.golden", golden));
+  EXPECT_EQ(r.code, 3);
+  for (const char* part : {"bad.golden:2:1", "scan 0", "Y0", "expected nothing", "got 1", "step 0",
+                           "OUT Y0", "replay: rung check"}) {
+    EXPECT_NE(r.err.find(part), std::string::npos) << part << " is not in\n" << r.err;
+  }
+}
+
+TEST_F(Cli, WrongUsageIsExit2) {
+  const std::string program = file("motor.il", kMotor);
+  ASSERT_EQ(rung("compile " + program + " --mpu 2 -o " + path("motor.img")).code, 0);
+  for (const std::string& arguments :
+       {std::string(), std::string("compile"), "compile " + program + " --mpu 7",
+        "compile " + program + " --config none", "compile " + program + " --paper --dialect fx",
+        "run " + program + " --tick 0", "run " + program + " --tick 1.2345",
+        "run " + program + " --tick abc", "run " + path("motor.img") + " --mpu 3",
+        "run " + path("motor.img") + " --mpu reference", "translate " + program + " --to cobol",
+        "check " + program}) {
+    EXPECT_EQ(rung(arguments).code, 2) << arguments;
+  }
+}
+
+// Every kind of wrong input: exit 1, a message at its place, and no output file.
+TEST_F(Cli, WrongInputIsRefusedAndLeavesNothing) {
+  struct Case {
+    const char* name;
+    std::string text;
+    const char* where;
+  };
+  std::string large;
+  for (int i = 0; i < 17000; ++i) large += "LD X0\nOUT M0\nOUT M1\n";
+  const Case cases[] = {
+      {"unknown.il", "LD X0\nFROB M0\nEND\n", ":2:1: error:"},
+      {"device.il", "LD Q0\nOUT M0\nEND\n", ":1:4: error:"},
+      {"range.il", "LD M8192\nOUT M0\nEND\n", ":1:4: error:"},
+      {"octal.il", "LD X8\nOUT M0\nEND\n", ":1:4: error:"},
+      {"stack.il", "LD X0\nLD X1\nOUT M0\nEND\n", ":3:1: error:"},
+      {"end.il", "LD X0\nOUT M0\n", " error:"},
+      {"empty.il", "", ":1:1: error:"},
+      {"binary.il", std::string("LD\0X0\x01\x02", 7), ":1:1: error:"},
+      {"large.il", large + "END\n", ":1:1: error: the program needs"},
+      {"image.img", "RUNGIMG\x01 damaged", ":1:1: error:"},
+      {"timer.il", "LD X0\nOUT T0 K10\nEND\n", ":2:"},
+  };
+  for (const Case& one : cases) {
+    const std::string program = file(one.name, one.text);
+    const std::size_t before = files();
+    for (const char* mpu : {"1", "3"}) {
+      const Result r = rung("compile " + program + " --mpu " + mpu + " -o " + path("out.img"));
+      EXPECT_EQ(r.code, 1) << one.name << r.err;
+      EXPECT_EQ(r.out, "") << one.name;
+      EXPECT_NE(r.err.find(program + ":"), std::string::npos) << one.name << r.err;
+      EXPECT_NE(r.err.find(one.where), std::string::npos) << one.name << r.err;
+    }
+    EXPECT_EQ(rung("run " + program + " --trace " + path("out.trace")).code, 1) << one.name;
+    // C has room for any program.
+    if (std::string(one.name) != "large.il") {
+      EXPECT_EQ(rung("translate " + program + " --to c -o " + path("out.c")).code, 1) << one.name;
+    }
+    EXPECT_EQ(files(), before) << one.name << " left a file behind";
+  }
+}
+
+TEST_F(Cli, SeveralErrorsInOneRun) {
+  const Result r = rung("compile " + file("bad.il", "LD X9\nFROB M0\nOUT D0\nLD Y0\nEND\n"));
+  EXPECT_EQ(r.code, 1);
+  EXPECT_NE(r.err.find(":1:4: error:"), std::string::npos) << r.err;
+  EXPECT_NE(r.err.find(":2:1: error:"), std::string::npos) << r.err;
+  EXPECT_NE(r.err.find(":3:5: error:"), std::string::npos) << r.err;
+}
+
+TEST_F(Cli, PaperRefusesWhatTable4DoesNotHave) {
+  const Result r = rung("compile " + file("set.il", "LD X0\nSET M0\nEND\n") + " --paper");
+  EXPECT_EQ(r.code, 1);
+  EXPECT_NE(r.err.find(":2:1: error:"), std::string::npos) << r.err;
+}
+
+TEST_F(Cli, AnUnwritableOutputIsAnError) {
+  const Result r = rung("compile " + file("motor.il", kMotor) + " -o " + path("none/motor.img"));
+  EXPECT_EQ(r.code, 1);
+  EXPECT_NE(r.err.find("error:"), std::string::npos);
+}
+
+}  // namespace

@@ -98,7 +98,8 @@ def speed_section(area: dict[str, Any], yard: dict[str, Any]) -> list[str]:
            "Stand-in programs for the paper's three samples (the originals are not public), seed "
            f"{yard['samples'][0]['seed']}, with pseudo-random inputs in every scan. Times are "
            "clocks by the median routed clock; a Rung processor takes exactly the same clocks in "
-           "every scan, so its median is its worst. *Computed*: the program does not fit the "
+           "every scan, so its median is its worst. Programs are compiled in the default mode; "
+           "the latching of inputs and the refresh of outputs are in none of the times. *Computed*: the program does not fit the "
            "HX8K's memories; the steps that it would take by the HX8K's clock stand there, without "
            "the clocks in which a processor waits for its multiplier or divider."]
     for sample in yard["samples"]:

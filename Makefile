@@ -78,6 +78,7 @@ synth: ## netlists of the processors in their board tops; MPU= BOARD=
 pnr: ## place and route: area and clock, into reports/ if all of them run; MPU= BOARD= SEEDS=
 	@scripts/setup.sh flow
 	@$(VENV)/python scripts/pnr.py $(FLOW) --seeds $(SEEDS) --jobs $(JOBS)
+	@if [ -e reports/area-timing.json ]; then $(PYTHON) scripts/report_area.py; fi
 
 .PHONY: bench
 bench: build ## scan times of the samples beside soft cores and this machine, into reports/

@@ -29,6 +29,20 @@ def line(record: dict[str, Any]) -> str:
             f"{path['stage']}: {path['start']} -> {path['end']}")
 
 
+def report(records: list[dict[str, Any]]) -> dict[str, Any]:
+    """What reports/area-timing.json holds: the records, and with what they were made."""
+    families = [board.family for board in BOARDS.values()]
+    return {
+        "made_by": "make pnr",
+        "date": datetime.date.today().isoformat(),
+        "tools": {"yosys": yosys_version(),
+                  **{f"nextpnr-{f.name}": nextpnr_version(f.nextpnr) for f in families}},
+        "synthesis": {f.name: f.synth for f in families},
+        "seeds": ALL_SEEDS,
+        "results": records,
+    }
+
+
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--mpu", type=int, nargs="+", choices=MPUS, default=list(MPUS))
@@ -47,18 +61,8 @@ def main() -> int:
             tools.say(line(records[-1]))
     if (sorted(arguments.mpu) == list(MPUS) and sorted(arguments.board) == sorted(BOARDS)
             and sorted(arguments.seeds) == ALL_SEEDS):
-        used = {BOARDS[name].family for name in arguments.board}
-        report = {
-            "made_by": "make pnr",
-            "date": datetime.date.today().isoformat(),
-            "tools": {"yosys": yosys_version(),
-                      **{f"nextpnr-{f.name}": nextpnr_version(f.nextpnr)
-                         for f in sorted(used, key=lambda f: f.name)}},
-            "synthesis": {f.name: f.synth for f in sorted(used, key=lambda f: f.name)},
-            "seeds": ALL_SEEDS,
-            "results": records,
-        }
-        tools.write_file(tools.REPORTS / "area-timing.json", json.dumps(report, indent=1) + "\n")
+        tools.write_file(tools.REPORTS / "area-timing.json",
+                         json.dumps(report(records), indent=1) + "\n")
         tools.say("wrote reports/area-timing.json")
     return 0
 

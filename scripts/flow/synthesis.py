@@ -16,13 +16,18 @@ def yosys_version() -> str:
 
 
 def script(design: Design, netlist: Path) -> str:
-    """The Yosys script of a design."""
-    include = " ".join(f"-I {folder}" for folder in design.include)
-    sources = " ".join(str(source) for source in design.sources)
+    """The Yosys script of a design. Its paths start at the top of the tree, so that nothing in the
+    netlist depends on where the tree lies."""
+    def here(path: Path) -> Path:
+        return path.relative_to(tools.ROOT)
+
+    include = " ".join(f"-I {here(folder)}" for folder in design.include)
+    sources = " ".join(str(here(source)) for source in design.sources)
     lines = [f"read_verilog {include} {sources}"]
     lines += [f"chparam -set {name} {value} {design.top}" for name, value in design.parameters]
     lines += [f"{design.board.family.synth} -top {design.top}",
-              f"write_json {netlist}", f"tee -o {netlist.with_name('stat.txt')} stat"]
+              f"write_json {here(netlist)}",
+              f"tee -o {here(netlist.with_name('stat.txt'))} stat"]
     return "\n".join(lines) + "\n"
 
 

@@ -68,5 +68,5 @@ def rung_design(mpu: int, board: Board) -> Design:
     sources = sorted(hdl.glob("*.v")) + sorted((hdl / "core").glob("*.v")) + [
         hdl / "boards" / f"{name}.v"
         for name in ("power_on_reset", "serial_link", "board_core", board.name)]
-    return Design(f"{board.name}-mpu{mpu}", board.name, tuple(sources), (tools.GENERATED,),
+    return Design(f"{board.name}-mpu{mpu}", board.name, tuple(sources), (tools.GENERATED, hdl / "core"),
                   (("MPU", mpu),), board)

@@ -37,7 +37,7 @@ def report(records: list[dict[str, Any]]) -> dict[str, Any]:
         "date": datetime.date.today().isoformat(),
         "tools": {"yosys": yosys_version(),
                   **{f"nextpnr-{f.name}": nextpnr_version(f.nextpnr) for f in families}},
-        "synthesis": {f.name: f.synth for f in families},
+        "options": {f.name: " ".join((f.synth, *f.nextpnr_options)) for f in families},
         "seeds": ALL_SEEDS,
         "results": records,
     }

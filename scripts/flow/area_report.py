@@ -142,8 +142,8 @@ def render(area: dict[str, Any], yard: dict[str, Any] | None) -> str:
     """The page; without yardsticks it ends after the clocks."""
     out = ["# Area, clock and scan time", "",
            f"Made by `make report` (area and clock alone: `make pnr`). {area['date']}. "
-           f"{tools_line(area)}. Synthesis: "
-           + ", ".join(f"`{command}`" for command in area["synthesis"].values())
+           f"{tools_line(area)}. Options: "
+           + ", ".join(f"`{options}`" for options in area["options"].values())
            + ". Nothing here has run on a board.", "",
            *area_section(area), *clock_section(area)]
     if yard:

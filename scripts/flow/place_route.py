@@ -50,7 +50,7 @@ def place_and_route(design: Design, netlist: Path, seed: int) -> Routed:
     tool = board.family.nextpnr
     report = design.folder / f"seed{seed}.json"
     stamp = design.folder / f"seed{seed}.inputs"
-    options = [*board.device, "--freq", str(board.goal_mhz), "--seed", str(seed),
+    options = [*board.device, *board.family.nextpnr_options, "--freq", str(board.goal_mhz), "--seed", str(seed),
                "--timing-allow-fail"]
     inputs = [netlist]
     if board.constraints:

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/input.hpp"
 
+#include <fmt/format.h>
+
+#include <filesystem>
 #include <iostream>
 
 #include "image/image_file.hpp"
@@ -18,6 +21,19 @@ std::optional<Program> parse(std::string_view bytes, const Options& options,
   auto program = parse_list(*text, dialect, diagnostics);
   if (program && options.paper && !check_paper(*program, diagnostics)) return std::nullopt;
   return program;
+}
+
+// Forms of programs that are not lists are told apart by their suffix.
+bool check_form(const std::string& file, Diagnostics& diagnostics) {
+  const std::string suffix = std::filesystem::path(file).extension().string();
+  const char* form = suffix == ".ld"    ? "an LDmicro program"
+                     : suffix == ".csv" ? "a CSV export"
+                                        : nullptr;
+  if (form == nullptr) return true;
+  diagnostics.error(file, {},
+                    fmt::format("{} is {}, which this version does not read", suffix, form),
+                    "write the program as a plain instruction list");
+  return false;
 }
 
 // An image is for one processor and was compiled once: what would change that is wrong usage.
@@ -60,6 +76,7 @@ std::optional<Input> read_input(const Options& options, bool images,
     input.dialect = dialect_named(input.image->dialect);
     return input;
   }
+  if (!check_form(options.program, diagnostics)) return std::nullopt;
   input.program = parse(*bytes, options, asked ? asked : fallback, diagnostics);
   if (!input.program) return std::nullopt;
   input.dialect = input.program->dialect;

@@ -158,6 +158,8 @@ TEST_F(Cli, WrongInputIsRefusedAndLeavesNothing) {
       {"binary.il", std::string("LD\0X0\x01\x02", 7), ":1:1: error:"},
       {"large.il", large + "END\n", ":1:1: error: the program needs"},
       {"image.img", "RUNGIMG\x01 damaged", ":1:1: error:"},
+      {"ladder.ld", "LDmicro0.1\n", ":1:1: error: .ld"},
+      {"export.csv", "\"0\"\t\"\"\t\"LD\"\n", ":1:1: error: .csv"},
       {"timer.il", "LD X0\nOUT T0 K10\nEND\n", ":2:"},
   };
   for (const Case& one : cases) {

@@ -59,8 +59,11 @@ TEST_P(Forwarding, BitsFromEverySlotToEveryOperand) {
     for (int reader = 0; reader < bench.slots(); ++reader) {
       for (int position = 0; position < positions(bench); ++position) {
         for (int distance = 1; distance <= kMaxDistance; ++distance) {
-          for (const bool value : {false, true}) {
-            bench.set_bit(kDevice, !value);
+          // old and new value: reading a RAM word while it is written gives the old one's
+          // complement
+          for (int values = 0; values < 4; ++values) {
+            const bool value = (values & 1) != 0;
+            bench.set_bit(kDevice, (values & 2) != 0);
             std::vector<Step> program{bench.step(write_bit(bench, kDevice, value), writer)};
             pad(bench, program, distance);
             program.push_back(bench.step(read_bit(bench, kDevice, position), reader));

@@ -85,6 +85,7 @@ bench: build ## scan times of the samples beside soft cores and this machine, in
 	@scripts/setup.sh bench
 	@$(VENV)/python scripts/yardsticks.py --jobs $(JOBS)
 	@$(VENV)/python scripts/report_area.py
+	@$(PYTHON) scripts/headline.py
 
 .PHONY: steps
 steps: build ## the paper's tables reproduced: reports/steps.md

@@ -36,7 +36,8 @@ def report(records: list[dict[str, Any]]) -> dict[str, Any]:
         "made_by": "make pnr",
         "date": datetime.date.today().isoformat(),
         "tools": {"yosys": yosys_version(),
-                  **{f"nextpnr-{f.name}": nextpnr_version(f.nextpnr) for f in families}},
+                  **{f"nextpnr-{f.name}": nextpnr_version(f.nextpnr).removeprefix("nextpnr-")
+                     for f in families}},
         "options": {f.name: " ".join((f.synth, *f.nextpnr_options)) for f in families},
         "seeds": ALL_SEEDS,
         "results": records,

@@ -109,7 +109,8 @@ def main() -> int:
         "made_by": "make bench",
         "date": datetime.date.today().isoformat(),
         "tools": {"yosys": yosys_version(),
-                  "nextpnr-ecp5": nextpnr_version(BOARDS["ulx3s"].family.nextpnr),
+                  "nextpnr-ecp5": nextpnr_version(
+                      BOARDS["ulx3s"].family.nextpnr).removeprefix("nextpnr-"),
                   "verilator": tools.version(bench.VERILATOR),
                   "riscv-gcc": f"{tools.version(program.RISCV + 'gcc')}, "
                                f"{' '.join(program.RISCV_FLAGS[:3])}",

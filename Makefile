@@ -18,6 +18,9 @@ JOBS    ?= 2
 PROGRAMS := rung rung-samples
 RELEASE := -DCMAKE_BUILD_TYPE=Release -DCMAKE_RUNTIME_OUTPUT_DIRECTORY=$(CURDIR)/build/bin
 
+# Compiled Python too goes under build/
+export PYTHONPYCACHEPREFIX := $(CURDIR)/build/pycache
+
 CMAKE   ?= cmake
 CTEST   ?= ctest
 PYTHON  ?= python3

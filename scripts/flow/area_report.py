@@ -125,8 +125,9 @@ def yardstick_notes(yard: dict[str, Any]) -> list[str]:
     return ["### The yardsticks", "",
             "The same program as C (`rung translate --to c`), one call of `PlcCycle()`. All "
             "machines ran the same 500 scans and ended in the same state of all devices.", "",
-            f"- **Soft cores** with 64 KB of block RAM, in the same ECP5-85F grade 6, placed and "
-            f"routed by the same tools with the same seeds, compiled by {yard['tools']['riscv-gcc']}. "
+            "- **Soft cores** with 64 KB of block RAM, in the same ECP5-85F grade 6, placed and "
+            "routed by the same tools and options with the seeds "
+            f"{', '.join(map(str, yard['seeds']))}, compiled by {yard['tools']['riscv-gcc']}. "
             "Clocks are counted by Verilator between two writes to the bus, their own clocks taken "
             "off. Cold: caches emptied before each scan; warm: scan after scan. Straight-line code "
             "larger than a direct-mapped cache misses on nearly every line, warm or not.",

@@ -36,7 +36,7 @@ def area_section(area: dict[str, Any]) -> list[str]:
             "Each processor in its board top (`hdl/boards/`), which keeps all of its ports behind a "
             "serial link of four pins. Logic cells are nextpnr's: on ECP5 a LUT4 or half of a "
             "carry pair, on iCE40 a cell of LUT4, carry and flip-flop. The last column is the "
-            "link's own share, LUT4s and flip-flops.", "",
+            "link's own share, LUT4s and flip-flops, as far as their names still tell it.", "",
             *table(["", "logic cells", "flip-flops", "block RAMs", "DSPs", "link"], rows), ""]
 
 

@@ -40,6 +40,11 @@ def core_row(core: dict[str, Any], sample: dict[str, Any], instructions: int) ->
             f"{1000 * time / instructions:.0f} | {core['logic_cells']} | |")
 
 
+def seeds(report: dict[str, Any]) -> str:
+    first, last = report["seeds"][0], report["seeds"][-1]
+    return f"{first}" if first == last else f"{first} to {last}"
+
+
 def table() -> str:
     area, yard = load("area-timing.json"), load("yardsticks.json")
     sample = yard["samples"][0]
@@ -52,7 +57,7 @@ def table() -> str:
         "ns an instruction | logic cells | HX8K MHz |",
         "|---|--:|--:|--:|--:|--:|--:|--:|", *rows, "",
         f"ECP5-85F grade 6, {area['tools']['yosys']}, nextpnr {area['tools']['nextpnr-ecp5']}, "
-        f"median of seeds {area['seeds'][0]} to {area['seeds'][-1]}, {area['date']}; "
+        f"median of seeds {seeds(area)} (the soft cores {seeds(yard)}), {area['date']}; "
         "the rest is in [reports/area-timing.md](reports/area-timing.md). A server core "
         f"({yard['host']['cpu']}, gcc -O2) takes {host['median_ns'] / 1000:.2f} us a scan, and the "
         f"worst of {host['scans']} scans took {host['worst_ns'] / 1000:.0f} us: faster on average, and "

@@ -21,8 +21,8 @@ constexpr Config kConfigs[] = {
 #define RUNG_LAYOUT(name, value)
 #define RUNG_OPCODE(...)
 #define RUNG_PROCESSOR(name, value)
-#define RUNG_CONFIG(name, steps1, steps2, steps3, bits, words, mul, div) \
-  {#name, steps1, steps2, steps3, bits, words, mul, div},
+#define RUNG_CONFIG(name, steps1, steps2, steps3, bits, words, mul, div, mul32, div32) \
+  {#name, steps1, steps2, steps3, bits, words, mul, div, mul32, div32},
 #include "isa_table.inc"
 };
 
@@ -83,6 +83,7 @@ void body(Packer& packer, SlotInstruction& instruction, Mpu mpu, const Config& c
         packer.field(instruction.row, constant::row_bits);
       }
       break;
+    case Format::Test:
     case Format::Word:
       packer.field(instruction.source, constant::word_bits);
       packer.field(instruction.rs, word);
@@ -130,6 +131,10 @@ int Config::clocks(Opcode opcode) const {
       return mul_latency + 1;
     case Clocks::Div:
       return div_latency + 1;
+    case Clocks::Mul32:
+      return mul32_latency + 1;
+    case Clocks::Div32:
+      return div32_latency + 1;
   }
   return 0;
 }

@@ -20,8 +20,8 @@ enum class Opcode : std::uint8_t {
 #include "isa_table.inc"
 };
 
-enum class Format : std::uint8_t { None, Bit, Word };
-enum class Clocks : std::uint8_t { One, Mul, Div };
+enum class Format : std::uint8_t { None, Bit, Word, Test };
+enum class Clocks : std::uint8_t { One, Mul, Div, Mul32, Div32 };
 enum class Gate : std::uint8_t { None, Exc, Unit };
 
 struct OpcodeInfo {
@@ -52,6 +52,8 @@ struct Config {
   int word_devices;
   int mul_latency;
   int div_latency;
+  int mul32_latency;
+  int div32_latency;
 
   int steps(Mpu mpu) const;
   // Clocks that one instruction of this opcode takes, executed or not.

@@ -1,48 +1,40 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "rungs/program.hpp"
 
-#include <fmt/format.h>
-
 #include <set>
 
-#include "rungs/devices.hpp"
+#include "rungs/footprint.hpp"
 
 namespace rung {
 
-std::string_view dialect_name(Dialect dialect) {
-  switch (dialect) {
-    case Dialect::Paper:
-      return "paper";
-    case Dialect::Fx:
-      return "fx";
-    case Dialect::Q:
-      break;
+bool is_load(Op op) {
+  switch (op) {
+    case Op::Ld:
+    case Op::Ldi:
+    case Op::LdP:
+    case Op::LdF:
+    case Op::LdCompare:
+      return true;
+    default:
+      return false;
   }
-  return "q";
 }
 
-std::string device_name(Device device, Dialect dialect) {
-  const char letter = "XYMD"[static_cast<std::size_t>(device.kind)];
-  switch (device_range(device.kind, dialect).base) {
-    case 8:
-      return fmt::format("{}{:o}", letter, device.number);
-    case 16:
-      return fmt::format("{}{:X}", letter, device.number);
-    default:
-      return fmt::format("{}{}", letter, device.number);
-  }
+bool is_output(Op op) {
+  return op == Op::Mc || (op >= Op::Out && op <= Op::Call);
 }
 
 ProgramCounts count(const Program& program) {
   ProgramCounts counts;
   counts.networks = static_cast<int>(program.networks.size());
-  counts.instructions = static_cast<int>(program.instructions.size());
   bool in_run = false;
   for (const Instruction& instruction : program.instructions) {
+    if (instruction.op == Op::Label) continue;
+    ++counts.instructions;
     const bool contact = is_contact(instruction.op);
     if (contact) {
-      const bool loads = instruction.op == Op::Ld || instruction.op == Op::Ldi;
-      if (!in_run || loads) counts.run_lengths.push_back(0);
+      const bool begins = instruction.op == Op::Ld || instruction.op == Op::Ldi;
+      if (!in_run || begins) counts.run_lengths.push_back(0);
       ++counts.run_lengths.back();
       ++counts.contacts;
     }
@@ -54,18 +46,7 @@ ProgramCounts count(const Program& program) {
 std::vector<Device> named_devices(const Program& program) {
   std::set<Device> devices;
   for (const Instruction& instruction : program.instructions) {
-    if (instruction.op == Op::Nop || (instruction.op >= Op::Anb && instruction.op <= Op::Mpp)) {
-      continue;
-    }
-    devices.insert(instruction.device);
-    if (instruction.double_width) {
-      devices.insert({instruction.device.kind, instruction.device.number + 1});
-    }
-    if (instruction.op < Op::Mov) continue;
-    const int sources = instruction.op == Op::Mov ? 1 : 2;
-    for (int i = 0; i < sources; ++i) {
-      if (!instruction.sources[i].constant) devices.insert(instruction.sources[i].device);
-    }
+    for (const Device device : footprint(instruction, program.dialect)) devices.insert(device);
   }
   return {devices.begin(), devices.end()};
 }

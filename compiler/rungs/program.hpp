@@ -1,77 +1,149 @@
 // SPDX-License-Identifier: Apache-2.0
 // A ladder program as its source says it: networks (rungs) of instructions, each with its place in
-// the file. Front ends make it; the reference interpreter, the C back end and the compiler read it.
+// the file. Front ends make it; the reference interpreter, the C back end and the lowering read it.
+// What each instruction does is in compiler/SEMANTICS.md.
 #pragma once
 
 #include <compare>
+#include <cstddef>
 #include <cstdint>
+#include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "rungs/device.hpp"
 #include "source/diagnostics.hpp"
 
 namespace rung {
 
-enum class Dialect : std::uint8_t { Paper, Fx, Q };
-// "paper", "fx", "q"
-std::string_view dialect_name(Dialect dialect);
-
-// Kinds of devices. X are the inputs, Y the outputs, M relays, D words.
-enum class DeviceKind : std::uint8_t { X, Y, M, D };
-
-struct Device {
-  DeviceKind kind = DeviceKind::X;
-  std::uint32_t number = 0;
-  auto operator<=>(const Device&) const = default;
-};
-inline bool is_word(Device device) { return device.kind == DeviceKind::D; }
-// The name a trace uses: upper case, no leading zeros, in the number base of the dialect.
-std::string device_name(Device device, Dialect dialect);
-
-// What an instruction does; the names are MELSEC's, whatever the dialect called it.
+// What an instruction does; the names are MELSEC's, whatever the dialect called it. `operands` are
+// in the order of the source, two-operand forms written out in full.
 enum class Op : std::uint8_t {
   Nop,
+  Label,  // a pointer, P: operands[0]
+  // Contacts: operands[0], a bit; of a compare contact operands[0] and [1], words.
   Ld,
   Ldi,
   And,
   Ani,
   Or,
-  Ori,  // contacts: `device`
+  Ori,
+  LdP,
+  LdF,
+  AndP,
+  AndF,
+  OrP,
+  OrF,
+  LdCompare,
+  AndCompare,
+  OrCompare,
+  // Blocks and branches.
   Anb,
   Orb,
+  Inv,
+  Mep,
+  Mef,
   Mps,
   Mrd,
-  Mpp,  // blocks and branches
-  Out,
+  Mpp,
+  // Zones.
+  Mc,   // operands: nesting level, relay
+  Mcr,  // nesting level
+  Stl,  // state
+  Ret,
+  // Outputs on bits.
+  Out,   // bit
+  Outi,  // bit; LadderDrive: the inverse of the result
+  OutT,  // timer (its contact), preset; `base_us`
+  OutC,  // counter (its contact), preset; 32 bits wide where the counter is
   Set,
-  Rst,  // coils: `device` (Rst of a word device clears it)
-  Mov,  // target <- sources[0]
-  Add,
+  Rst,   // bit; word (clears it); timer or counter (its contact)
+  Pls,   // bit
+  Plf,
+  Alt,   // bit
+  Sft,   // bit: takes the value of the bit before it, which becomes 0 (Q)
+  Sftl,  // source head, target head, length, count
+  Sftr,
+  Bsfl,  // head, length: one bit (Q)
+  Bsfr,
+  // Words. `width` is 16 or 32.
+  Mov,  // source, target
+  Cml,
+  Bcd,
+  Bin,
+  Xch,   // two targets
+  Swap,  // target
+  Bmov,  // source, target, count
+  Fmov,
+  Add,  // source, source, target
   Sub,
   Mul,
-  Div,  // target <- sources[0] op sources[1]
+  Div,
+  Wand,
+  Wor,
+  Wxor,
+  Wxnr,
+  Inc,  // target
+  Dec,
+  Neg,
+  Rol,  // target, count
+  Ror,
+  Rcl,
+  Rcr,
+  Sfl,
+  Sfr,
+  Wsfl,  // source head, target head, length, count
+  Wsfr,
+  Dsfl,  // head, length: one word (Q)
+  Dsfr,
+  Cmp,   // source, source, three bits from
+  Zcp,   // low, high, source, three bits from
+  Zrst,  // first, last
+  // Flow.
+  Cj,    // pointer
+  Call,  // pointer
+  Sret,
+  Fend,
+  For,  // count
+  Next,
 };
-inline bool is_contact(Op op) { return op >= Op::Ld && op <= Op::Ori; }
-inline bool is_output(Op op) { return op >= Op::Out; }
 
-// A word operand: a constant or a word device.
-struct WordSource {
-  bool constant = true;
-  std::int16_t value = 0;  // of a constant
-  Device device;           // otherwise
-  bool operator==(const WordSource&) const = default;
+enum class Relation : std::uint8_t { Equal, NotEqual, Less, Greater, LessEqual, GreaterEqual };
+
+struct Operand {
+  enum class Kind : std::uint8_t {
+    Device,    // bit or word, as the instruction takes it
+    Constant,  // K, H: `value`
+    Digits,    // KnXm: `digits` groups of four bits from `device` on
+    WordBit,   // D0.F: bit `bit` of the word `device`
+    Number,    // P or N: `value`
+  };
+  Kind kind = Kind::Device;
+  Device device;
+  int digits = 0;
+  int bit = 0;
+  std::int32_t value = 0;
+  std::optional<Device> index;  // Device only: V or Z whose value is added to the device's number
+  bool operator==(const Operand&) const = default;
 };
 
 struct Instruction {
   Op op = Op::Nop;
-  Device device;          // contacts, coils; target of word instructions
-  WordSource sources[2];  // word instructions; two-operand forms are written out in full
-  bool double_width =
-      false;  // MUL, DIV: also write the high word, the remainder, to the next device
-  bool two_operand = false;  // the source wrote `ADD rs rd` (for listings and translation)
-  SourcePosition position;   // of the mnemonic
-  std::string text;          // the instruction as the source wrote it, blanks normalised
+  std::vector<Operand> operands;
+  int width = 16;                       // 16, or 32 for the D forms
+  bool pulse = false;                   // P forms: executed only when the condition goes on
+  Relation relation = Relation::Equal;  // compare contacts
+  std::int64_t base_us = 0;             // OutT: time of one tick
+  bool double_width = false;  // MUL, DIV: the result takes twice the width (not in `paper`)
+  bool two_operand = false;   // the source wrote `ADD rs rd` (for listings and translation)
+  // Index of the instruction it leads to: CJ and CALL to the Label, FOR to NEXT, NEXT to FOR.
+  std::size_t destination = 0;
+  SourcePosition position;  // of the mnemonic
+  std::string text;         // the instruction as the source wrote it, blanks normalised
+
+  const Operand& operand(std::size_t i) const { return operands.at(i); }
 };
 
 struct Network {
@@ -84,7 +156,15 @@ struct Program {
   Dialect dialect = Dialect::Fx;
   std::vector<Instruction> instructions;  // without END
   std::vector<Network> networks;          // consecutive, covering all instructions
+  std::map<Device, std::string> comments;  // device names, from a comment file
 };
+
+// Contacts (INTERFACES.md): LD LDI AND ANI OR ORI, their P and F forms, compare contacts.
+inline bool is_contact(Op op) { return op >= Op::Ld && op <= Op::OrCompare; }
+// Those that begin a block: LD LDI LDP LDF, LD with a compare.
+bool is_load(Op op);
+// True for what uses the result of the contacts before it and keeps it.
+bool is_output(Op op);
 
 // Counts of INTERFACES.md.
 struct ProgramCounts {
@@ -95,7 +175,8 @@ struct ProgramCounts {
 };
 ProgramCounts count(const Program& program);
 
-// Every device that the program names, in order, with the second words of MUL and DIV.
+// Every device that the program names, in order: second words, ranges, digit groups, index
+// registers and, of a timer or counter, contact and value included; flags only if named.
 std::vector<Device> named_devices(const Program& program);
 
 }  // namespace rung

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// Devices: what a program reads and writes, by kind and number.
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace rung {
+
+enum class Dialect : std::uint8_t { Paper, Fx, Q };
+// "paper", "fx", "q"
+std::string_view dialect_name(Dialect dialect);
+// The reverse.
+std::optional<Dialect> find_dialect(std::string_view name);
+
+// Kinds of devices. The order is that of a trace's state.
+enum class DeviceKind : std::uint8_t {
+  // bits
+  X,    // inputs
+  Y,    // outputs
+  M,    // relays; of fx from 8000 special ones
+  L,    // latched relays (q)
+  F,    // annunciators, used as relays (q)
+  B,    // link relays (q)
+  SB,   // special link relays (q)
+  S,    // states, step relays
+  SM,   // special relays (q)
+  TS,   // contacts of timers
+  STS,  // contacts of retentive timers (q)
+  CS,   // contacts of counters
+  // words
+  D,
+  W,    // link registers (q)
+  SW,   // special link registers (q)
+  R,    // file registers
+  V,    // index registers (fx)
+  Z,    // index registers
+  SD,   // special registers (q)
+  TN,   // values of timers
+  STN,  // values of retentive timers (q)
+  CN,   // values of counters; of a 32-bit counter the low word
+  CNH,  // high words of 32-bit counters (fx C200 to C234)
+};
+inline constexpr int kDeviceKinds = static_cast<int>(DeviceKind::CNH) + 1;
+
+struct Device {
+  DeviceKind kind = DeviceKind::X;
+  std::uint32_t number = 0;
+  auto operator<=>(const Device&) const = default;
+};
+inline bool is_word(DeviceKind kind) { return kind >= DeviceKind::D; }
+inline bool is_word(Device device) { return is_word(device.kind); }
+
+// The name that a trace uses: upper case, no leading zeros, in the number base of the dialect;
+// the high word of a 32-bit counter is `CN200:h`.
+std::string device_name(Device device, Dialect dialect);
+
+}  // namespace rung

@@ -69,6 +69,7 @@ class CsvReader {
     for (; column_ < line().size() && line()[column_] != separator_; ++column_) {
       text.push_back(line()[column_]);
     }
+    cell.raw = to_utf8(text);
     cell.text = trimmed(text);
     return cell;
   }

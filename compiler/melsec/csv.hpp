@@ -11,7 +11,8 @@
 namespace rung {
 
 struct CsvCell {
-  std::string text;         // UTF-8, without quotes and without blanks around it
+  std::string raw;          // UTF-8, without the quotes
+  std::string text;         // the same without blanks around it
   SourcePosition position;  // of its first character, which may be the quote
 };
 

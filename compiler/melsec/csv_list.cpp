@@ -67,6 +67,13 @@ std::optional<Dialect> dialect_of_controller(std::string_view name) {
   return std::nullopt;
 }
 
+// A device-comment file has two columns; of a program at least the instructions stand in the third.
+bool is_comment_file(const std::vector<CsvRow>& rows) {
+  return rows.size() > 2 && std::all_of(rows.begin(), rows.end(), [](const CsvRow& row) {
+           return row.text(kInstruction).empty() && row.text(kOperand).empty();
+         });
+}
+
 class CsvListReader {
  public:
   CsvListReader(const SourceText& source, std::optional<Dialect> dialect, Diagnostics& diagnostics)
@@ -138,7 +145,7 @@ class CsvListReader {
   }
 
   void text(const CsvCell& cell) {
-    program_.texts.push_back({program_.list.statements.size(), cell.text, cell.position});
+    program_.texts.push_back({program_.list.statements.size(), cell.raw, cell.position});
   }
 
   void instruction(const CsvRow& row, std::vector<ListWord> words) {
@@ -205,7 +212,13 @@ CsvProgram read_csv_program(const SourceText& source, std::optional<Dialect> dia
 std::optional<Program> parse_csv(const SourceText& source, std::optional<Dialect> dialect,
                                  Diagnostics& diagnostics) {
   const int errors_before = diagnostics.error_count();
-  const CsvProgram csv = read_csv_program(source, dialect, diagnostics);
+  const std::vector<CsvRow> rows = read_csv(source, diagnostics);
+  if (is_comment_file(rows)) {
+    diagnostics.error(source.file, {}, "this is a file of device comments, not a program",
+                      "give it with --comments beside the program");
+    return std::nullopt;
+  }
+  const CsvProgram csv = CsvListReader(source, dialect, diagnostics).read(rows);
   // With a broken frame of the file, what is in it cannot be judged.
   if (diagnostics.error_count() > errors_before) return std::nullopt;
   if (csv.list.statements.empty() && !csv.list.has_end) {

@@ -240,6 +240,8 @@ TEST_P(Opcodes, ClocksOfEach) {
         int clocks = 1;
         if (info.opcode == Opcode::Mul) clocks = config.mul_latency + 1;
         if (info.opcode == Opcode::Div) clocks = config.div_latency + 1;
+        if (info.opcode == Opcode::Muld) clocks = config.mul32_latency + 1;
+        if (info.opcode == Opcode::Divd) clocks = config.div32_latency + 1;
         const ScanResult result = bench.rtl().run_scan({});
         EXPECT_EQ(result.clocks,
                   static_cast<std::uint32_t>(isa::constant::fill_clocks + clocks + 1))

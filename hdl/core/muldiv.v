@@ -54,13 +54,17 @@ module muldiv #(
 
   // One adder for both: the partial remainder less |divisor|, or the partial product plus the
   // multiplicand, which the multiplier's sign bit subtracts. 16-bit operations use it with their
-  // operands extended; only where low_q's top is differs.
+  // operands extended; only where low_q's top is differs. Add or subtract is known a clock before,
+  // since so many bits wait for it.
   wire last = count_q == 5'd31;
-  wire subtract = div_q ? !divisor_q[31] : last;
+  reg subtract_q;
+  always @(posedge clk_i) begin
+    subtract_q <= !x_start_i && (div_q ? !divisor_q[31] : count_q == 5'd30);
+  end
   wire dividend_bit = wide_q ? low_q[31] : low_q[15];
   wire [32:0] augend = div_q ? {high_q, dividend_bit} : {high_q[31], high_q};
   wire [32:0] addend = {divisor_q[31], divisor_q} & {33{div_q | low_q[0]}};
-  wire [33:0] chain = {augend, 1'b1} + {addend ^ {33{subtract}}, subtract};
+  wire [33:0] chain = {augend, 1'b1} + {addend ^ {33{subtract_q}}, subtract_q};
   wire [32:0] sum = chain[33:1];
   wire unused_chain = &{1'b0, chain[0]};
 

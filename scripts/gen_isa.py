@@ -146,7 +146,7 @@ def page(isa, configs):
             "its IX, or later.", "",
             "The 16-bit operations leave two words in the unit, for MVL and MVH, the 32-bit ones four, for MVL, MVH, "
             "MV2 and MV3. The high operand words that LDH has set stay until the next LDH, whatever the unit does "
-            "meanwhile. -2^15 / -1 is -2^15, -2^31 / -1 is -2^31, each with the remainder 0.", "",
+            "meanwhile; a scan begins without any, and without an ix. -2^15 / -1 is -2^15, -2^31 / -1 is -2^31, each with the remainder 0.", "",
             "## Layout of one slot's instruction", "",
             "A bit operand is a device number and, above it, its N0 flag: the operand is then the "
             "slot's previous look-up result instead of the device. `u` makes a gated instruction "

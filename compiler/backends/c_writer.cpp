@@ -36,7 +36,7 @@ std::vector<CRange> subroutines(const Instructions& instructions) {
 }  // namespace
 
 std::string write_c(const Program& program, const COptions& options) {
-  CUnit unit(program, options.prefix);
+  CUnit unit(program, options);
   const std::vector<CRange> called = subroutines(program.instructions);
   for (const CRange& range : called) {
     unit.body.line("static void {}(void);", CRoutine::name(unit, range.first));
@@ -55,16 +55,16 @@ std::string write_c(const Program& program, const COptions& options) {
   CRoutine(unit, {0, scan_end}).write();
   unit.body.close();
   unit.body.blank();
-  unit.body.open("void $Cycle(void) {{");
-  write_scan_start(unit, unit.body);
+  unit.body.open("{}void $Cycle(void) {{", options.bare ? "static " : "");
+  write_scan_start(unit);
   unit.body.line("@_scan();");
   unit.body.close();
 
   CSource source(options.prefix);
-  write_declarations(unit, options.table, source);
-  write_accessors(unit, options.table, source);
+  write_declarations(unit, source);
+  write_accessors(unit, source);
   unit.helpers.write(source);
-  write_time_and_faults(unit, source);
+  write_fault(unit, source);
   source.append(unit.body);
   return source.text();
 }

@@ -140,12 +140,12 @@ void CPrograms::write(std::size_t program, Device device, std::int16_t value) co
 
 void expect_c_equals_reference(const Program& program, int scans, RandomSource& random,
                                std::uint32_t tick_us) {
-  expect_c_equals_reference(std::span(&program, 1), scans, random, tick_us);
+  const std::span programs(&program, 1);
+  expect_c_equals_reference(CPrograms(programs), programs, scans, random, tick_us);
 }
 
-void expect_c_equals_reference(std::span<const Program> programs, int scans, RandomSource& random,
-                               std::uint32_t tick_us) {
-  const CPrograms c(programs);
+void expect_c_equals_reference(const CPrograms& c, std::span<const Program> programs, int scans,
+                               RandomSource& random, std::uint32_t tick_us) {
   ASSERT_TRUE(c.good());
   for (std::size_t i = 0; i < programs.size() && !testing::Test::HasFailure(); ++i) {
     expect_equal(c, i, programs[i], scans, random, tick_us);

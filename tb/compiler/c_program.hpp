@@ -46,8 +46,8 @@ class CPrograms {
 // random preset, and expects every named device and the error flag to be equal after each.
 void expect_c_equals_reference(const Program& program, int scans, RandomSource& random,
                                std::uint32_t tick_us = 10000);
-// The same of several programs.
-void expect_c_equals_reference(std::span<const Program> programs, int scans, RandomSource& random,
-                               std::uint32_t tick_us = 10000);
+// The same of several programs, which are compiled already.
+void expect_c_equals_reference(const CPrograms& c, std::span<const Program> programs, int scans,
+                               RandomSource& random, std::uint32_t tick_us = 10000);
 
 }  // namespace rung

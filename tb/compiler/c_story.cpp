@@ -43,16 +43,14 @@ void expect_c_stories(std::span<const CStory> stories) {
     programs.push_back(story_program(story.text, story.dialect));
   }
   ASSERT_FALSE(testing::Test::HasFailure());
-  {
-    const CPrograms c(programs);
-    ASSERT_TRUE(c.good());
-    for (std::size_t i = 0; i < stories.size(); ++i) {
-      SCOPED_TRACE(stories[i].name);
-      run(c, i, stories[i]);
-    }
+  const CPrograms c(programs);
+  ASSERT_TRUE(c.good());
+  for (std::size_t i = 0; i < stories.size(); ++i) {
+    SCOPED_TRACE(stories[i].name);
+    run(c, i, stories[i]);
   }
   RandomSource random(1);
-  expect_c_equals_reference(programs, 300, random, 37000);
+  expect_c_equals_reference(c, programs, 300, random, 37000);
 }
 
 }  // namespace rung

@@ -173,7 +173,7 @@ TEST_P(RandomC, EqualsTheReference) {
     programs.push_back(*result.program);
   }
   RandomSource random(1);
-  expect_c_equals_reference(programs, 200, random);
+  expect_c_equals_reference(CPrograms(programs), programs, 200, random);
 }
 
 INSTANTIATE_TEST_SUITE_P(Dialects, RandomC,

@@ -70,14 +70,14 @@ std::string MelsecOperands::word_bit() {
   return fmt::format("{}.{:X}", any(DeviceKind::D, options_.words), random_.below(16));
 }
 
-std::string MelsecOperands::contact(bool any_form) {
-  if (any_form && chance(Family::WordBits)) return word_bit();
+std::string MelsecOperands::contact(bool indexable) {
+  if (chance(Family::WordBits)) return word_bit();
   if (chance(Family::Special)) return read_special();
   if (has(Family::Timers) && random_.percent(12)) {
     return random_.percent(70) ? timer() : retentive_timer();
   }
   if (has(Family::Counters) && random_.percent(12)) return counter(random_.percent(40));
-  const bool indexed = any_form && chance(Family::Index);
+  const bool indexed = indexable && chance(Family::Index);
   std::string text;
   const int which = random_.below(100);
   if (which < 45) {
@@ -151,10 +151,9 @@ std::string MelsecOperands::registers(int count, bool indexed) {
 
 std::string MelsecOperands::source(int width) {
   if (random_.percent(25)) return constant(width);
-  if (has(Family::Timers) && width == 16 && random_.percent(5)) return timer();
+  if (has(Family::Timers) && random_.percent(5)) return timer();
   if (has(Family::Counters) && random_.percent(5)) {
-    if (width == 16) return counter(false);
-    if (fx()) return counter(true);
+    return counter(width == 32 && random_.percent(70));
   }
   if (chance(Family::Digits)) return digits(1 + random_.below(width / 4), false);
   if (width == 16 && has(Family::Index) && random_.percent(8)) return index();
@@ -162,10 +161,9 @@ std::string MelsecOperands::source(int width) {
 }
 
 std::string MelsecOperands::target(int width) {
-  if (has(Family::Timers) && width == 16 && random_.percent(4)) return timer();
+  if (has(Family::Timers) && random_.percent(4)) return timer();
   if (has(Family::Counters) && random_.percent(4)) {
-    if (width == 16) return counter(false);
-    if (fx()) return counter(true);
+    return counter(width == 32 && random_.percent(70));
   }
   if (chance(Family::Digits)) return digits(1 + random_.below(width / 4), true);
   if (width == 16 && has(Family::Index) && random_.percent(12)) return index();

@@ -15,9 +15,9 @@ class MelsecOperands {
   MelsecOperands(RandomSource& random, const RandomMelsecOptions& options)
       : random_(random), options_(options) {}
 
-  // A bit that a contact reads, bit of a word and index included if `any_form`.
-  std::string contact(bool any_form);
-  // A bit that an output writes; of `any_form` as above.
+  // A bit that a contact reads, at times a bit of a word; with an index where one is `indexable`.
+  std::string contact(bool indexable);
+  // A bit that an output writes; with a bit of a word or an index if `any_form`.
   std::string coil(bool any_form);
   // The first of `count` bits that follow each other, to read or to write.
   std::string source_bits(int count);

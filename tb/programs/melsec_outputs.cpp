@@ -41,53 +41,59 @@ struct Row {
   int dialects;
 };
 
+// The 32-bit forms of WAND and the like go by two names.
 constexpr Row kRows[] = {
     {Family::Moves, "MOV", "DMOV", Form::SourceTarget, kBoth},
     {Family::Moves, "CML", "DCML", Form::SourceTarget, kBoth},
     {Family::Moves, "XCH", "DXCH", Form::Targets, kBoth},
-    {Family::Moves, "SWAP", "", Form::Target, kQ},
-    {Family::Moves, "SWAP", "DSWAP", Form::Target, kFx},
+    {Family::Moves, "SWAP", "DSWAP", Form::Target, kBoth},
     {Family::Moves, "BMOV", "", Form::Block, kBoth},
-    {Family::Moves, "FMOV", "", Form::Fill, kQ},
-    {Family::Moves, "FMOV", "DFMOV", Form::Fill, kFx},
+    {Family::Moves, "FMOV", "DFMOV", Form::Fill, kBoth},
     {Family::Arithmetic, "ADD", "DADD", Form::Three, kFx},
     {Family::Arithmetic, "SUB", "DSUB", Form::Three, kFx},
     {Family::Arithmetic, "MUL", "DMUL", Form::Product, kFx},
     {Family::Arithmetic, "DIV", "DDIV", Form::Product, kFx},
     {Family::Arithmetic, "+", "D+", Form::TwoOrThree, kQ},
     {Family::Arithmetic, "-", "D-", Form::TwoOrThree, kQ},
-    {Family::Arithmetic, "*", "D*", Form::Product, kQ},
-    {Family::Arithmetic, "/", "D/", Form::Product, kQ},
+    {Family::Arithmetic, "*", "D*", Form::TwoProduct, kQ},
+    {Family::Arithmetic, "/", "D/", Form::TwoProduct, kQ},
     {Family::Arithmetic, "INC", "DINC", Form::Target, kBoth},
     {Family::Arithmetic, "DEC", "DDEC", Form::Target, kBoth},
     {Family::Arithmetic, "NEG", "DNEG", Form::Target, kBoth},
     {Family::Logic, "WAND", "DAND", Form::Three, kFx},
+    {Family::Logic, "WAND", "DWAND", Form::Three, kFx},
     {Family::Logic, "WOR", "DOR", Form::Three, kFx},
+    {Family::Logic, "WOR", "DWOR", Form::Three, kFx},
     {Family::Logic, "WXOR", "DXOR", Form::Three, kFx},
+    {Family::Logic, "WXOR", "DWXOR", Form::Three, kFx},
     {Family::Logic, "WAND", "DAND", Form::TwoOrThree, kQ},
+    {Family::Logic, "WAND", "DWAND", Form::TwoOrThree, kQ},
     {Family::Logic, "WOR", "DOR", Form::TwoOrThree, kQ},
+    {Family::Logic, "WOR", "DWOR", Form::TwoOrThree, kQ},
     {Family::Logic, "WXOR", "DXOR", Form::TwoOrThree, kQ},
+    {Family::Logic, "WXOR", "DWXOR", Form::TwoOrThree, kQ},
     {Family::Logic, "WXNR", "DXNR", Form::TwoOrThree, kQ},
+    {Family::Logic, "WXNR", "DWXNR", Form::TwoOrThree, kQ},
     {Family::Shifts, "SFT", "", Form::OneBit, kQ},
-    {Family::Shifts, "SFTL", "", Form::BitShift, kFx},
-    {Family::Shifts, "SFTR", "", Form::BitShift, kFx},
+    {Family::Shifts, "SFTL", "", Form::BitShift, kBoth},
+    {Family::Shifts, "SFTR", "", Form::BitShift, kBoth},
     {Family::Shifts, "BSFL", "", Form::OwnBits, kQ},
     {Family::Shifts, "BSFR", "", Form::OwnBits, kQ},
     {Family::Shifts, "SFL", "", Form::Count, kBoth},
     {Family::Shifts, "SFR", "", Form::Count, kBoth},
-    {Family::Shifts, "WSFL", "", Form::WordShift, kFx},
-    {Family::Shifts, "WSFR", "", Form::WordShift, kFx},
+    {Family::Shifts, "WSFL", "", Form::WordShift, kBoth},
+    {Family::Shifts, "WSFR", "", Form::WordShift, kBoth},
     {Family::Shifts, "DSFL", "", Form::OwnWords, kQ},
     {Family::Shifts, "DSFR", "", Form::OwnWords, kQ},
     {Family::Rotates, "ROL", "DROL", Form::Count, kBoth},
     {Family::Rotates, "ROR", "DROR", Form::Count, kBoth},
     {Family::Rotates, "RCL", "DRCL", Form::Count, kBoth},
     {Family::Rotates, "RCR", "DRCR", Form::Count, kBoth},
-    {Family::Ranges, "ZRST", "", Form::Range, kFx},
+    {Family::Ranges, "ZRST", "", Form::Range, kBoth},
     {Family::Codes, "BCD", "DBCD", Form::SourceTarget, kBoth},
     {Family::Codes, "BIN", "DBIN", Form::SourceTarget, kBoth},
-    {Family::Compares, "CMP", "DCMP", Form::Compare, kFx},
-    {Family::Compares, "ZCP", "DZCP", Form::Between, kFx},
+    {Family::Compares, "CMP", "DCMP", Form::Compare, kBoth},
+    {Family::Compares, "ZCP", "DZCP", Form::Between, kBoth},
 };
 
 // What writes outputs; each word family has rows above.
@@ -138,7 +144,8 @@ std::string MelsecOutputs::output() {
 
 std::string MelsecOutputs::bit() {
   const int which = random_.below(100);
-  if (which < 65) return "OUT " + operands_.coil(true);
+  if (which < 60) return "OUT " + operands_.coil(true);
+  if (which < 65) return "OUTI " + operands_.coil(true);
   if (which < 82) return "SET " + operands_.coil(true);
   if (which < 97) return "RST " + operands_.coil(true);
   return "RST " + operands_.registers(1, true);
@@ -148,7 +155,7 @@ std::string MelsecOutputs::edge() {
   const int which = random_.below(100);
   if (which < 35) return "PLS " + operands_.coil(false);
   if (which < 70) return "PLF " + operands_.coil(false);
-  if (!operands_.fx()) return "FF " + operands_.coil(false);
+  if (random_.percent(40)) return "FF " + operands_.coil(false);
   return (operands_.chance(Family::Pulse) ? "ALTP " : "ALT ") + operands_.coil(false);
 }
 
@@ -230,10 +237,13 @@ std::string MelsecOutputs::word(Family family) {
       sources(1 + random_.below(2));
       add(operands_.registers(width / 8, true));
       break;
-    case Form::Count:
+    case Form::Count: {
+      // A rotation by the whole width is one for fx only.
+      const int most = row.family == Family::Rotates && operands_.fx() ? width : width - 1;
       add(operands_.target(width));
-      add_number(random_.below(random_.percent(70) ? 4 : width));
+      add_number(random_.below(random_.percent(70) ? 4 : most + 1));
       break;
+    }
     case Form::BitShift: {
       const int length = 1 + random_.below(8);
       const int count = 1 + random_.below(length);
@@ -280,36 +290,6 @@ std::string MelsecOutputs::word(Family family) {
       break;
   }
   return text;
-}
-
-std::vector<std::string> melsec_mnemonics(Dialect dialect) {
-  const bool fx = dialect == Dialect::Fx;
-  std::vector<std::string> names = {
-      "NOP", "LD",  "LDI", "AND", "ANI", "OR",  "ORI",  "LDP",   "LDF",  "ANDP", "ANDF", "ORP",
-      "ORF", "ANB", "ORB", "INV", "MEP", "MEF", "MPS",  "MRD",   "MPP",  "OUT",  "SET",  "RST",
-      "PLS", "PLF", "MC",  "MCR", "CJ",  "CJP", "CALL", "CALLP", "FEND", "FOR",  "NEXT", "END"};
-  for (const char* const load : {"LD", "AND", "OR"}) {
-    for (const char* const wide : {"", "D"}) {
-      for (const char* const relation : {"=", "<>", "<", ">", "<=", ">="}) {
-        names.push_back(fmt::format("{}{}{}", load, wide, relation));
-      }
-    }
-  }
-  for (const char* const name : {"ALT", "ALTP", "STL", "RET", "SRET"}) {
-    if (fx) names.emplace_back(name);
-  }
-  for (const char* const name : {"FF", "OUTH", "RET"}) {
-    if (!fx) names.emplace_back(name);
-  }
-  for (const Row& row : kRows) {
-    if (!in_dialect(row, dialect)) continue;
-    for (const std::string name : {row.name, row.wide}) {
-      if (name.empty()) continue;
-      names.push_back(name);
-      names.push_back(name + 'P');
-    }
-  }
-  return names;
 }
 
 }  // namespace rung

@@ -28,7 +28,4 @@ class MelsecOutputs {
   std::vector<int> weights_;  // of the families of outputs
 };
 
-// All mnemonics that random_melsec can write in `dialect`.
-std::vector<std::string> melsec_mnemonics(Dialect dialect);
-
 }  // namespace rung

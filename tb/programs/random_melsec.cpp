@@ -62,7 +62,7 @@ class Writer {
       place.states = false;
       place.routine = routine + 1;
       parts(1 + random_.below(3), place);
-      line(operands_.fx() ? "SRET" : "RET");
+      line(operands_.fx() || random_.percent(50) ? "SRET" : "RET");
     }
     return std::move(text_) + "END\n";
   }

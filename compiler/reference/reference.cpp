@@ -1,33 +1,50 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "reference/reference.hpp"
 
-#include "rungs/devices.hpp"
+#include <algorithm>
 
 namespace rung {
 namespace {
 
-// The low 16 bits of `value` as a signed word.
-std::int16_t low_word(std::int32_t value) {
-  return static_cast<std::int16_t>(static_cast<std::uint16_t>(value));
-}
+// No device of any dialect has a number as high; memory ends here whatever a program names.
+constexpr std::uint32_t kDevicesOfAKind = 0x10000;
 
-std::int16_t high_word(std::int32_t value) { return low_word(value >> 16); }
+std::vector<Device> named_of_role(SpecialRole role, Dialect dialect,
+                                  const std::vector<Device>& named) {
+  std::vector<Device> devices = devices_of_role(role, dialect);
+  std::erase_if(devices, [&](Device device) {
+    return !std::binary_search(named.begin(), named.end(), device);
+  });
+  return devices;
+}
 
 }  // namespace
 
-Reference::Reference(const Program& program) : program_(program) {
-  for (const DeviceKind kind : {DeviceKind::X, DeviceKind::Y, DeviceKind::M, DeviceKind::D}) {
-    devices_[static_cast<std::size_t>(kind)].resize(device_range(kind, program.dialect).last + 1);
-  }
+Reference::Reference(const Program& program, std::int64_t tick_us)
+    : program_(program),
+      windows_(index_windows(program)),
+      begins_network_(program.instructions.size()),
+      memory_(program.instructions.size()),
+      time_{-1, tick_us} {
+  const std::vector<Device> named = named_devices(program);
+  errors_ = named_of_role(SpecialRole::Error, program.dialect, named);
+  zero_ = named_of_role(SpecialRole::Zero, program.dialect, named);
+  borrow_ = named_of_role(SpecialRole::Borrow, program.dialect, named);
+  carry_ = named_of_role(SpecialRole::Carry, program.dialect, named);
+  for (const Network& network : program.networks) begins_network_.at(network.first) = true;
 }
 
 void Reference::set(Device device, std::int16_t value) {
+  if (device.number >= kDevicesOfAKind) return;
   if (!is_word(device)) value = value != 0 ? 1 : 0;
-  devices_[static_cast<std::size_t>(device.kind)][device.number] = value;
+  auto& devices = devices_[static_cast<std::size_t>(device.kind)];
+  if (device.number >= devices.size()) devices.resize(device.number + 1);
+  devices[device.number] = value;
 }
 
 std::int16_t Reference::get(Device device) const {
-  return devices_[static_cast<std::size_t>(device.kind)][device.number];
+  const auto& devices = devices_[static_cast<std::size_t>(device.kind)];
+  return device.number < devices.size() ? devices[device.number] : std::int16_t{0};
 }
 
 void Reference::run_scan() {
@@ -37,136 +54,92 @@ void Reference::run_scan() {
 }
 
 void Reference::begin_scan() {
+  ++time_.scan;
+  for (const SpecialRange& special : special_ranges()) {
+    if (special.dialect != program_.dialect || !is_driven(special.role)) continue;
+    for (std::uint32_t n = special.first; n <= special.last; ++n) {
+      set({special.kind, n}, driven_value(special, time_) ? 1 : 0);
+    }
+  }
   next_ = 0;
-  network_ = 0;
+  now_ = {};
+  callers_.clear();
+  loops_.clear();
   writes_.clear();
   error_ = false;
 }
 
 bool Reference::step() {
-  if (next_ == program_.instructions.size()) return false;
-  if (network_ < program_.networks.size() && program_.networks[network_].first == next_) {
-    ++network_;
-    blocks_.clear();
-    branches_.clear();
-    result_ = false;
+  if (next_ >= program_.instructions.size()) return false;
+  current_ = next_++;
+  if (begins_network_[current_]) {
+    now_.blocks.clear();
+    now_.branches.clear();
   }
-  execute(program_.instructions[next_]);
-  ++next_;
+  execute(program_.instructions[current_]);
   return true;
 }
 
 void Reference::execute(const Instruction& instruction) {
-  switch (instruction.op) {
-    case Op::Nop:
-      return;
-    case Op::Ld:
-      return load(get(instruction.device) != 0);
-    case Op::Ldi:
-      return load(get(instruction.device) == 0);
-    case Op::And:
-      result_ = result_ && get(instruction.device) != 0;
-      return;
-    case Op::Ani:
-      result_ = result_ && get(instruction.device) == 0;
-      return;
-    case Op::Or:
-      result_ = result_ || get(instruction.device) != 0;
-      return;
-    case Op::Ori:
-      result_ = result_ || get(instruction.device) == 0;
-      return;
-    case Op::Anb: {
-      const bool block = pop_block();
-      result_ = result_ && block;
-      return;
-    }
-    case Op::Orb: {
-      const bool block = pop_block();
-      result_ = result_ || block;
-      return;
-    }
-    case Op::Mps:
-      branches_.push_back(result_);
-      return;
-    case Op::Mrd:
-      result_ = branches_.back();
-      return;
-    case Op::Mpp:
-      result_ = branches_.back();
-      branches_.pop_back();
-      return;
+  const Op op = instruction.op;
+  if (op <= Op::Label) return;
+  if (op <= Op::OrCompare) return execute_contact(instruction);
+  if (op <= Op::Mpp) return execute_block(op);
+  if (op <= Op::Ret) return execute_zone(instruction);
+  if (op >= Op::Cj) return execute_flow(instruction);
+  switch (op) {
+    case Op::OutT:
+      return out_timer(instruction);
+    case Op::OutC:
+      return out_counter(instruction);
     case Op::Out:
-      write(instruction.device, result_ ? 1 : 0);
-      return;
-    case Op::Set:
-      if (result_) write(instruction.device, 1);
-      return;
+    case Op::Outi:
+    case Op::Pls:
+    case Op::Plf:
+      return execute_coil(instruction);
     case Op::Rst:
-      if (result_) write(instruction.device, 0);
-      return;
-    case Op::Mov:
-    case Op::Add:
-    case Op::Sub:
-    case Op::Mul:
-    case Op::Div:
-      if (result_) execute_word(instruction);
-      return;
-  }
-}
-
-void Reference::execute_word(const Instruction& instruction) {
-  // Both sources are read before anything is written: a target may be a source too.
-  const std::int32_t a = value(instruction.sources[0]);
-  const std::int32_t b = value(instruction.sources[1]);
-  const Device next{instruction.device.kind, instruction.device.number + 1};
-  switch (instruction.op) {
-    case Op::Mov:
-      write(instruction.device, low_word(a));
-      return;
-    case Op::Add:
-      write(instruction.device, low_word(a + b));
-      return;
-    case Op::Sub:
-      write(instruction.device, low_word(a - b));
-      return;
-    case Op::Mul:
-      write(instruction.device, low_word(a * b));
-      if (instruction.double_width) write(next, high_word(a * b));
-      return;
-    case Op::Div:
-      if (b == 0) {
-        error_ = true;
-        return;
-      }
-      // C++ divides toward zero, the remainder having the sign of the dividend, as MELSEC does.
-      write(instruction.device, low_word(a / b));
-      if (instruction.double_width) write(next, low_word(a % b));
-      return;
+      return reset(instruction);
     default:
-      return;
+      break;
   }
+  if (!executes(instruction)) return;
+  if (std::none_of(instruction.operands.begin(), instruction.operands.end(),
+                   [](const Operand& operand) { return operand.index.has_value(); })) {
+    return execute_located(instruction);
+  }
+  const std::optional<Instruction> located = locate(instruction);
+  if (!located) return fail();
+  execute_located(*located);
 }
 
-std::int16_t Reference::value(const WordSource& source) const {
-  return source.constant ? source.value : get(source.device);
+void Reference::execute_located(const Instruction& instruction) {
+  if (instruction.op < Op::Mov) return execute_bits(instruction);
+  execute_word(instruction);
 }
 
-void Reference::load(bool value) {
-  // At the start of a network this keeps a result that no ANB or ORB will ask for.
-  blocks_.push_back(result_);
-  result_ = value;
+bool Reference::power() const {
+  return now_.state_power && std::all_of(now_.masters.begin(), now_.masters.end(),
+                                         [](const Master& master) { return master.power; });
 }
 
-bool Reference::pop_block() {
-  const bool block = blocks_.back();
-  blocks_.pop_back();
-  return block;
+bool Reference::executes(const Instruction& instruction) {
+  const bool on = condition();
+  return instruction.pulse ? !exchange_memory(on) && on : on;
+}
+
+bool Reference::exchange_memory(bool value) {
+  const bool before = memory_[current_];
+  memory_[current_] = value;
+  return before;
 }
 
 void Reference::write(Device device, std::int16_t value) {
   set(device, value);
-  writes_.push_back({device, value, next_});
+  writes_.push_back({device, value, current_});
+}
+
+void Reference::change(Device device, std::int16_t value) {
+  if (get(device) != value) write(device, value);
 }
 
 }  // namespace rung

@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 // The golden model: executes the instructions of the source one after another, as a plain
-// sequential controller does. It knows nothing of the compiler's later steps or of the processors.
+// sequential controller does, by compiler/SEMANTICS.md. It knows nothing of the compiler's later
+// steps or of the processors.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
 #include <vector>
 
+#include "rungs/footprint.hpp"
 #include "rungs/program.hpp"
+#include "rungs/special.hpp"
 
 namespace rung {
 
@@ -20,13 +26,14 @@ struct ReferenceWrite {
   bool operator==(const ReferenceWrite&) const = default;
 };
 
-// A controller that runs `program`, which must outlive it. All devices are 0 at the start.
+// A controller that runs `program`, which must outlive it, with `tick_us` from scan to scan. All
+// devices are 0 at the start.
 class Reference {
  public:
-  explicit Reference(const Program& program);
+  explicit Reference(const Program& program, std::int64_t tick_us = 10000);
 
-  // Sets an input for the scans to come, or presets any other device. A bit takes 0 or not 0. The
-  // device must be in its range of the program's dialect.
+  // Sets an input for the scans to come, or presets any other device. A bit takes 0 or not 0. What
+  // the controller drives (M8000, clocks) it drives again before each scan.
   void set(Device device, std::int16_t value);
   std::int16_t get(Device device) const;
 
@@ -40,30 +47,127 @@ class Reference {
   // Index of the instruction that the next step() executes.
   std::size_t next_instruction() const { return next_; }
   // The current result, which contacts compute and outputs use.
-  bool result() const { return result_; }
+  bool result() const { return now_.result; }
 
-  // The writes of the scan so far, in the order of execution: OUT always; SET, RST and word
-  // instructions when their condition was 1; of MUL and DIV with two words, low word (quotient)
-  // then high word (remainder).
+  // The writes of the scan so far, in the order of execution: OUT always; the other instructions
+  // when they were executed; 32 bits as low word, then high word; digit groups as bits, ascending.
+  // Timers, counters, flags, error relays and the states that a step leaves: where they change.
   const std::vector<ReferenceWrite>& writes() const { return writes_; }
   // Whether a division by zero was executed in this scan; it wrote nothing.
   bool error() const { return error_; }
 
  private:
+  // A zone of MC.
+  struct Master {
+    std::int32_t level;
+    bool power;
+  };
+  // What a routine, the main program or a subroutine, has of its own.
+  struct Routine {
+    bool result = false;
+    std::vector<bool> blocks;  // results that wait for ANB or ORB
+    std::vector<bool> branches;
+    std::vector<Master> masters;
+    std::vector<Device> states;  // those of the STL that the current zone belongs to
+    bool state_power = true;     // of that zone
+    std::size_t back = 0;        // where its caller goes on
+  };
+  struct Loop {
+    std::size_t begin;  // the instruction after FOR
+    std::int32_t left;  // passes, this one included
+  };
+  // What a timer or counter has beside its contact and value.
+  struct Coil {
+    bool on = false;
+    bool held = false;                // a counter's: its RST is driven
+    std::int64_t executed_scan = -1;  // a timer's: of its last OUT
+  };
+
+  // Machine: reference.cpp.
   void execute(const Instruction& instruction);
-  void execute_word(const Instruction& instruction);
-  std::int16_t value(const WordSource& source) const;
-  void load(bool value);
-  bool pop_block();
+  void execute_located(const Instruction& instruction);
+  bool power() const;
+  // The condition of every output instruction.
+  bool condition() const { return now_.result && power(); }
+  // Whether an instruction that waits for its condition is executed now; of a pulse form that is
+  // when the condition goes on. To be asked once each time.
+  bool executes(const Instruction& instruction);
+  // The last value of `value` that the current instruction saw; takes over the new one.
+  bool exchange_memory(bool value);
   void write(Device device, std::int16_t value);
+  // The same for what is listed only where it changes.
+  void change(Device device, std::int16_t value);
+
+  // Operands: operands.cpp.
+  // With the index registers added; nothing if an operand is outside of its window.
+  std::optional<Instruction> locate(const Instruction& instruction) const;
+  // Of one operand that takes so many devices.
+  std::optional<Operand> locate(const Operand& operand, int devices) const;
+  bool read_bit(const Operand& operand) const;
+  void write_bit(const Operand& operand, bool value);
+  std::int32_t read_word(const Operand& operand, int width) const;
+  void write_word(const Operand& operand, std::uint64_t value, int width);
+  // Sets the error relays that the program names.
+  void fail();
+
+  // Contacts, blocks and branches: contacts.cpp.
+  void execute_contact(const Instruction& instruction);
+  bool contact(const Instruction& instruction);
+  bool compare(const Instruction& instruction);
+  void execute_block(Op op);
+  bool pop_block();
+
+  // Zones, jumps, subroutines and loops: flow.cpp.
+  void execute_zone(const Instruction& instruction);
+  void begin_state(Device state);
+  // A SET or OUT of `state` that may be the transition of a step: true if it was.
+  bool transition(const Operand& state);
+  void execute_flow(const Instruction& instruction);
+
+  // Outputs on bits: bits.cpp.
+  void execute_coil(const Instruction& instruction);
+  void execute_bits(const Instruction& instruction);
+  void shift_between(const Instruction& instruction, bool up);
+  void shift_by_one(const Instruction& instruction, bool up);
+
+  // Timers and counters: timers_counters.cpp.
+  void out_timer(const Instruction& instruction);
+  void out_counter(const Instruction& instruction);
+  void count_16(Device contact, std::int32_t preset);
+  void count_32(Device contact, std::int32_t preset);
+  void reset(const Instruction& instruction);
+  void clear(Device timer_or_counter);
+  void reset_range(const Instruction& instruction);
+
+  // Word instructions: words.cpp, arithmetic.cpp.
+  void execute_word(const Instruction& instruction);
+  void execute_arithmetic(const Instruction& instruction);
+  void execute_move(const Instruction& instruction);
+  void rotate(const Instruction& instruction);
+  void divide(const Instruction& instruction, std::int64_t a, std::int64_t b);
+  void set_flags(std::int64_t exact, int width);
+  void decimal(const Instruction& instruction);
+  void write_relations(const Operand& head, std::array<bool, 3> relations);
+  // Sets carry if the program names it.
+  void set_carry(bool value);
 
   const Program& program_;
-  std::array<std::vector<std::int16_t>, 4> devices_;  // by kind
+  std::vector<IndexWindow> windows_;
+  // Of these the ones that the program names; the others do not exist for it.
+  std::vector<Device> errors_, zero_, borrow_, carry_;
+  std::vector<bool> begins_network_;  // by instruction
+
+  std::array<std::vector<std::int16_t>, kDeviceKinds> devices_;  // as far as they were written
+  std::vector<bool> memory_;  // of edges and pulse forms; of an STL: was it active; by instruction
+  std::map<Device, Coil> coils_;  // by contact
+  std::set<Device> left_states_;  // that go off when their STL is next reached
+
+  ScanTime time_;
   std::size_t next_ = 0;
-  std::size_t network_ = 0;  // the one that next_ is in, or that begins there
-  bool result_ = false;
-  std::vector<bool> blocks_;  // results that wait for ANB or ORB
-  std::vector<bool> branches_;
+  std::size_t current_ = 0;  // the instruction that is being executed
+  Routine now_;
+  std::vector<Routine> callers_;
+  std::vector<Loop> loops_;
   std::vector<ReferenceWrite> writes_;
   bool error_ = false;
 };

@@ -3,15 +3,15 @@
 
 namespace rung {
 
-ReferenceRun::ReferenceRun(const Program& program, bool with_state)
-    : program_(program), reference_(program), recorder_(with_state) {
+ReferenceRun::ReferenceRun(const Program& program, bool with_state, std::int64_t tick_us)
+    : program_(program), tick_us_(tick_us), reference_(program, tick_us), recorder_(with_state) {
   for (const Device device : named_devices(program)) {
     devices_.push_back({device, device_name(device, program.dialect)});
   }
 }
 
-TraceHeader ReferenceRun::header(std::int64_t tick_us) const {
-  return {program_.file, std::string(dialect_name(program_.dialect)), tick_us, 0};
+TraceHeader ReferenceRun::header() const {
+  return {program_.file, std::string(dialect_name(program_.dialect)), tick_us_, 0};
 }
 
 TraceScan ReferenceRun::scan(std::span<const StimulusEvent> events) {

@@ -2,6 +2,7 @@
 // The reference as an engine that gives a trace.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,11 +16,11 @@ namespace rung {
 class ReferenceRun {
  public:
   // `with_state`: each scan of the trace has the values of all devices that the program names.
-  // `program` must outlive this.
-  ReferenceRun(const Program& program, bool with_state);
+  // `tick_us` is the time between two scans. `program` must outlive this.
+  ReferenceRun(const Program& program, bool with_state, std::int64_t tick_us = 10000);
 
-  // The first line of a trace of this run; `tick_us` is the time between two scans.
-  TraceHeader header(std::int64_t tick_us) const;
+  // The first line of a trace of this run.
+  TraceHeader header() const;
   // Applies the events, runs one scan and gives what happened in it.
   TraceScan scan(std::span<const StimulusEvent> events);
 
@@ -32,6 +33,7 @@ class ReferenceRun {
   };
 
   const Program& program_;
+  std::int64_t tick_us_;
   Reference reference_;
   TraceRecorder recorder_;
   std::vector<NamedDevice> devices_;

@@ -4,11 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <string_view>
 #include <utility>
 
 #include "rungs/devices.hpp"
+#include "rungs/special.hpp"
 
 namespace rung {
 namespace {
@@ -25,6 +27,15 @@ std::optional<Number> whole_number(std::string_view text) {
   return value;
 }
 
+// T0 for TS0, which lists say of contact and value alike.
+bool is_short_name(std::string_view name, Device device) {
+  if (!is_timer(device.kind) && !is_counter(device.kind)) return false;
+  const std::string_view letters = kind_letters(device.kind);
+  const char last = letters.back();
+  return name.size() < letters.size() ||
+         std::toupper(static_cast<unsigned char>(name[letters.size() - 1])) != last;
+}
+
 // The event of a device's name and value, or what is wrong with them.
 struct CheckedEvent {
   std::optional<StimulusEvent> event;
@@ -33,12 +44,29 @@ struct CheckedEvent {
 };
 
 CheckedEvent check_event(std::string_view name, std::string_view value, Dialect dialect) {
-  const std::optional<Device> device = parse_device_name(name, dialect);
-  if (!device) {
-    return {std::nullopt, fmt::format("{} is no device of dialect {}", name, dialect_name(dialect)),
-            "the stimulus of a list names X, Y, M and D devices in the list's number base"};
+  const ParsedDevice parsed = parse_device(name, dialect);
+  if (parsed.error == DeviceError::Special) {
+    return {std::nullopt,
+            fmt::format("{} is a special device that this controller does not have", name),
+            {}};
   }
-  const bool word = is_word(*device);
+  if (parsed.error != DeviceError::None) {
+    return {std::nullopt, fmt::format("{} is no device of dialect {}", name, dialect_name(dialect)),
+            "a stimulus names devices as traces do, X0 M5 S20 D7 TN0 CN200:h, in the number base "
+            "of the dialect"};
+  }
+  const Device device = parsed.device;
+  if (is_short_name(name, device)) {
+    return {std::nullopt, fmt::format("{} is both a contact and a value", name),
+            fmt::format("write {} for the contact or {} for the value",
+                        device_name(device, dialect), device_name(value_of(device), dialect))};
+  }
+  const SpecialRange* special = find_special(device, dialect);
+  if (special != nullptr && is_driven(special->role)) {
+    return {std::nullopt, fmt::format("{} cannot be set: the controller drives it", name),
+            "it follows from the scans and from --tick"};
+  }
+  const bool word = is_word(device);
   const std::optional<int> number = whole_number<int>(value);
   const int least = word ? INT16_MIN : 0;
   const int most = word ? INT16_MAX : 1;
@@ -48,7 +76,7 @@ CheckedEvent check_event(std::string_view name, std::string_view value, Dialect 
         fmt::format("the value of {} is {}, not a number from {} to {}", name, value, least, most),
         {}};
   }
-  return {StimulusEvent{*device, static_cast<std::int16_t>(*number)}, {}, {}};
+  return {StimulusEvent{device, static_cast<std::int16_t>(*number)}, {}, {}};
 }
 
 class LineReader {

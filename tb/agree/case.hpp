@@ -35,7 +35,8 @@ std::optional<Case> make_case(std::uint64_t seed, const std::string& text, std::
 // The reference's states.
 States run_reference(const Case& one);
 
-// The first difference of `states` of `engine` from `expected`, for a reader; empty if there is none.
+// The first difference of `states` of `engine` from `expected`, for a reader; empty if there is
+// none.
 std::string difference(const Case& one, const States& expected, const States& states,
                        const std::string& engine);
 

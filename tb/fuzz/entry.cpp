@@ -7,9 +7,8 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const auto readers = rung::fuzz::readers();
-  static const auto reader = std::find_if(readers.begin(), readers.end(), [](const auto& each) {
-    return each.name == RUNG_READER;
-  });
+  static const auto reader = std::find_if(
+      readers.begin(), readers.end(), [](const auto& each) { return each.name == RUNG_READER; });
   reader->read({reinterpret_cast<const char*>(data), size});
   return 0;
 }

@@ -104,8 +104,8 @@ std::string wrapped(std::string_view payload) {
     for (int i = 0; i < 4; ++i) file += static_cast<char>(value >> (8 * i) & 0xFFU);
   };
   add(static_cast<std::uint32_t>(payload.size()));
-  add(static_cast<std::uint32_t>(crc32(0, reinterpret_cast<const Bytef*>(payload.data()),
-                                       static_cast<uInt>(payload.size()))));
+  add(static_cast<std::uint32_t>(
+      crc32(0, reinterpret_cast<const Bytef*>(payload.data()), static_cast<uInt>(payload.size()))));
   file += payload;
   return file;
 }

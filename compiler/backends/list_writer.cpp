@@ -7,27 +7,54 @@
 #include <vector>
 
 #include "melsec/instructions.hpp"
+#include "rungs/devices.hpp"
 
 namespace rung {
 namespace {
 
-std::string operand(const WordSource& source, Dialect dialect) {
-  return source.constant ? fmt::format("K{}", source.value) : device_name(source.device, dialect);
+// As people write it: T0, whether its contact or its value is meant.
+std::string source_name(Device device, Dialect dialect) {
+  const Device contact = contact_of(device);
+  switch (contact.kind) {
+    case DeviceKind::TS:
+      return fmt::format("T{}", device.number);
+    case DeviceKind::STS:
+      return fmt::format("ST{}", device.number);
+    case DeviceKind::CS:
+      return fmt::format("C{}", device.number);
+    default:
+      return device_name(device, dialect);
+  }
+}
+
+std::string operand_text(const Operand& operand, Op op, Dialect dialect) {
+  switch (operand.kind) {
+    case Operand::Kind::Constant:
+      return fmt::format("K{}", operand.value);
+    case Operand::Kind::Digits:
+      return fmt::format("K{}{}", operand.digits, source_name(operand.device, dialect));
+    case Operand::Kind::WordBit:
+      return fmt::format("{}.{:X}", source_name(operand.device, dialect), operand.bit);
+    case Operand::Kind::Number:
+      return fmt::format("{}{}", op == Op::Mc || op == Op::Mcr ? 'N' : 'P', operand.value);
+    case Operand::Kind::Device:
+      break;
+  }
+  std::string text = source_name(operand.device, dialect);
+  if (operand.index) text += device_name(*operand.index, dialect);
+  return text;
 }
 
 }  // namespace
 
 std::string to_list(const Instruction& instruction, Dialect dialect) {
-  const std::string_view name = instruction_name(instruction.op, dialect);
-  if (instruction.op == Op::Nop || (instruction.op >= Op::Anb && instruction.op <= Op::Mpp)) {
-    return std::string(name);
+  std::vector<std::string> words;
+  if (instruction.op != Op::Label) words.emplace_back(instruction_name(instruction, dialect));
+  // The first of three operands written as two is the last of them again.
+  const std::size_t first = instruction.two_operand ? 1 : 0;
+  for (std::size_t i = first; i < instruction.operands.size(); ++i) {
+    words.push_back(operand_text(instruction.operands[i], instruction.op, dialect));
   }
-  std::vector<std::string> words{std::string(name)};
-  if (instruction.op >= Op::Mov) {
-    if (!instruction.two_operand) words.push_back(operand(instruction.sources[0], dialect));
-    if (instruction.op != Op::Mov) words.push_back(operand(instruction.sources[1], dialect));
-  }
-  words.push_back(device_name(instruction.device, dialect));
   return fmt::format("{}", fmt::join(words, " "));
 }
 

@@ -29,7 +29,8 @@ void append_words(ListLine& words, std::u32string_view text, int line, std::size
                   std::size_t last) {
   if (first == last) return;
   ListWord whole = make_word(text.substr(first, last - first), line, first);
-  if (whole.text.find('/') == std::string::npos || is_unsupported_name(whole.upper)) {
+  if (whole.text.find('/') == std::string::npos || !find_instruction(whole.upper).empty() ||
+      is_unsupported_name(whole.upper)) {
     words.push_back(std::move(whole));
     return;
   }

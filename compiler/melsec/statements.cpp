@@ -18,7 +18,7 @@ bool is_number(const ListWord& word) {
 }
 
 bool is_instruction(const ListWord& word) {
-  return word.upper == "END" || find_instruction(word.upper) != nullptr ||
+  return word.upper == "END" || !find_instruction(word.upper).empty() ||
          is_unsupported_name(word.upper);
 }
 
@@ -79,10 +79,11 @@ class Grouping {
       list_.end = statement.name.position;
       return i;
     }
-    statement.known = find_instruction(name);
-    if (statement.known == nullptr) statement.unsupported = unsupported_instruction(name);
-    const OperandCount count =
-        statement.known != nullptr ? operand_count(statement.known->form) : OperandCount{0, 9};
+    statement.forms = find_instruction(name);
+    if (statement.forms.empty()) statement.unsupported = unsupported_instruction(name);
+    const OperandCount count = !statement.forms.empty() ? operand_count(statement.forms)
+                               : is_label(name)         ? OperandCount{0, 0}
+                                                        : OperandCount{0, 9};
     while (i < words.size() && !begins_instruction(words, i, statement.operands.size(), count)) {
       statement.operands.push_back(words[i++]);
     }
@@ -98,8 +99,10 @@ class Grouping {
     const bool complete = given >= static_cast<std::size_t>(count.most);
     if (is_number(word)) {
       const bool enough = given >= static_cast<std::size_t>(count.least);
-      return complete || (enough && i + 1 < words.size() && is_instruction(words[i + 1]));
+      return complete || (enough && i + 1 < words.size() &&
+                          (is_instruction(words[i + 1]) || is_label(words[i + 1].upper)));
     }
+    if (complete && is_label(word.upper)) return true;
     // A surplus operand is the fault of this instruction, any other word that of the next.
     return complete && !looks_like_operand(word.upper);
   }

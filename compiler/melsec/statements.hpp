@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "melsec/instructions.hpp"
@@ -11,12 +12,12 @@
 
 namespace rung {
 
-// One instruction as its words. Exactly one of `known` and `unsupported` is set; with neither, the
-// word is no instruction at all.
+// One instruction, or a label, as its words. At most one of `forms` and `unsupported` is set; with
+// neither, the word is a label or no instruction at all.
 struct Statement {
   ListWord name;
   std::vector<ListWord> operands;
-  const SourceInstruction* known = nullptr;
+  std::span<const InstructionForm> forms;  // all that have this name
   std::optional<Unsupported> unsupported;
 };
 

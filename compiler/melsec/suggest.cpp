@@ -37,8 +37,8 @@ int edit_distance(std::string_view a, std::string_view b) {
 
 std::string_view suggest_instruction(std::string_view word) {
   std::vector<std::string_view> names;
-  for (const SourceInstruction& instruction : source_instructions()) {
-    if (instruction.name.size() > 1) names.push_back(instruction.name);
+  for (const std::string_view name : instruction_names()) {
+    if (name.size() > 1) names.push_back(name);
   }
   names.push_back("END");
   const std::vector<std::string_view> others = unsupported_names();

@@ -25,30 +25,14 @@ struct Group {
 };
 
 constexpr Group kGroups[] = {
-    {Effect::Load, false, "LDP LDF", "an edge contact, not supported yet", ""},
-    {Effect::Combine, false, "ANDP ANDF ORP ORF", "an edge contact, not supported yet", ""},
-    {Effect::Combine, false, "INV", "the inversion of a result, not supported yet",
-     "write the inverse logic: swap AND with OR and each contact with its inverse"},
-    {Effect::Combine, false, "MEP MEF EGP EGF", "the edge of a result, not supported yet", ""},
-    {Effect::Output, false, "PLS PLF", "a pulse coil, not supported yet", ""},
-    {Effect::Output, false, "OUTI", "LadderDrive's inverted coil, not supported yet",
-     "invert the logic before an OUT"},
-    {Effect::Output, false, "OUTH OUTHS", "a high-speed timer coil, not supported yet", ""},
-    {Effect::Output, false, "FF ALT", "an alternating coil, not supported yet", ""},
-    {Effect::Output, true, "INC DEC", "an increment, not supported yet",
-     "add or subtract K1 instead"},
-    {Effect::Output, true, "CMP ZCP", "a compare, not supported yet", ""},
-    {Effect::Output, true, "WAND WOR WXOR WXNR DAND DOR DXOR DXNR NEG CML",
-     "bit-wise logic of words, not supported yet", ""},
-    {Effect::Output, true,
-     "ROR ROL RCR RCL SFTR SFTL WSFR WSFL SFWR SFRD SFR SFL BSFR BSFL DSFR "
-     "DSFL SFT",
-     "a shift or rotation, not supported yet", ""},
-    {Effect::Output, true,
-     "BMOV FMOV XCH BXCH SWAP SMOV ZRST BKRST BKAND BKOR BKXOR BKXNR "
-     "RBMOV",
+    {Effect::Combine, false, "EGP EGF", "an edge relay, not supported yet",
+     "use MEP or MEF, or PLS and PLF with relays"},
+    {Effect::Output, false, "OUTHS", "a high-speed retentive timer coil under another name",
+     "write OUTH ST0"},
+    {Effect::Output, true, "SFWR SFRD", "a queue in data registers, not supported yet", ""},
+    {Effect::Output, true, "BXCH SMOV BKRST BKAND BKOR BKXOR BKXNR RBMOV",
      "a transfer of more than one word, not supported yet", ""},
-    {Effect::Output, true, "BCD BIN BKBCD BKBIN GRY GBIN DBL WORD HEX ASCI",
+    {Effect::Output, true, "BKBCD BKBIN GRY GBIN DBL WORD HEX ASCI",
      "a conversion, not supported yet", ""},
     {Effect::Output, true,
      "DECO ENCO SUM BON BSET BRST TEST SEG DIS UNI NDIS NUNI WTOB BTOW MAX "
@@ -71,22 +55,20 @@ constexpr Group kGroups[] = {
      "a timer or counter instruction, not "
      "supported yet",
      ""},
-    {Effect::Output, false, "MC", "master control, not supported yet",
-     "put the zone's condition into each network"},
-    {Effect::None, false, "MCR", "master control, not supported yet", ""},
-    {Effect::Output, false, "CJ SCJ CJP", "a jump, not supported yet", ""},
-    {Effect::None, false, "JMP GOEND", "a jump, not supported yet", ""},
-    {Effect::Output, false, "CALL CALLP FCALL FCALLP ECALL XCALL EFCALL",
-     "a subroutine call, not supported yet", ""},
-    {Effect::None, false, "FEND SRET", "a part of subroutines, not supported yet",
-     "a main program ends with END"},
-    {Effect::None, false, "FOR NEXT BREAK", "a loop, not supported yet",
-     "write its body as often as it runs"},
+    {Effect::Output, false, "SCJ", "a jump that waits for the next scan, not supported yet",
+     "use CJ"},
+    {Effect::None, false, "JMP", "a jump without a condition, not supported yet",
+     "use LD SM400 and CJ"},
+    {Effect::Output, false, "GOEND", "a jump to the end, not supported yet",
+     "use CJ to a label before the end"},
+    {Effect::Output, false, "FCALL FCALLP ECALL ECALLP EFCALL XCALL",
+     "a call that also switches outputs off or leaves the program, not supported yet", "use CALL"},
+    {Effect::Output, false, "BREAK BREAKP",
+     "a way out of a loop while it runs, which a constant scan cannot have",
+     "skip the rest of the body with CJ"},
     {Effect::None, false, "EI DI IRET IMASK",
      "a part of interrupt programs, which a constant scan cannot have",
      "do the work in the scan: it is shorter than a usual interrupt period"},
-    {Effect::Unknown, false, "STL RET", "a part of step ladder programs, not supported yet",
-     "use a relay (M) a step, with SET and RST"},
     {Effect::None, false, "STOP", "an instruction to stop the controller, not supported yet", ""},
     {Effect::None, false, "WDT", "a watchdog refresh in the scan, which a constant scan needs not",
      "remove it"},
@@ -135,37 +117,18 @@ struct DeviceGroup {
 
 // The longer prefixes first.
 constexpr DeviceGroup kDevices[] = {
-    {"TN", true, "a timer"},
-    {"TS", true, "a timer"},
-    {"TC", true, "a timer"},
-    {"CN", true, "a counter"},
-    {"CS", true, "a counter"},
-    {"CC", true, "a counter"},
-    {"ST", true, "a retentive timer"},
-    {"STN", true, "a retentive timer"},
-    {"SM", true, "a special relay"},
-    {"SD", true, "a special register"},
-    {"SB", false, "a link special relay"},
-    {"SW", false, "a link special register"},
-    {"ZR", true, "a file register", "use a word (D)"},
+    {"TC", true, "the coil of a timer", "name the timer itself: T0"},
+    {"CC", true, "the coil of a counter", "name the counter itself: C0"},
+    {"ZR", true, "a file register by its serial number", "use R or D"},
     {"DX", false, "a direct input", "use X: inputs are read once a scan"},
     {"DY", false, "a direct output", "use Y: outputs are refreshed once a scan"},
-    {"FX", true, "a function input"},
-    {"FY", true, "a function output"},
-    {"FD", true, "a function register"},
-    {"T", true, "a timer"},
-    {"C", true, "a counter"},
-    {"S", true, "a step relay", "use a relay (M)"},
-    {"L", true, "a latch relay", "use a relay (M)"},
-    {"F", true, "an annunciator", "use a relay (M)"},
-    {"B", false, "a link relay", "use a relay (M)"},
-    {"W", false, "a link register", "use a word (D)"},
-    {"R", true, "a file register", "use a word (D)"},
-    {"V", true, "an index register or edge relay"},
-    {"Z", true, "an index register"},
-    {"P", true, "a pointer"},
-    {"I", true, "an interrupt pointer"},
-    {"N", true, "a master control nesting level"},
+    {"FX", true, "a function input", "use relays (M): subroutines have no operands here"},
+    {"FY", true, "a function output", "use relays (M): subroutines have no operands here"},
+    {"FD", true, "a function register", "use words (D): subroutines have no operands here"},
+    {"LT", true, "a long timer", "use T"},
+    {"LC", true, "a long counter", "use C"},
+    {"BL", true, "an SFC block", "use relays (M)"},
+    {"I", true, "an interrupt pointer", "a constant scan has no interrupts"},
 };
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -200,9 +163,6 @@ const Group* find_group(std::string_view name) {
 
 // True for an instruction that has 32-bit and pulse forms.
 bool has_forms(std::string_view name) {
-  if (const SourceInstruction* known = find_instruction(name)) {
-    return known->form == OperandForm::Move || known->form == OperandForm::Arithmetic;
-  }
   const Group* group = find_group(name);
   return group != nullptr && group->forms;
 }
@@ -219,40 +179,33 @@ std::optional<Unsupported> compare_contact(std::string_view name) {
   } else {
     return std::nullopt;
   }
-  if (!name.empty() && (name.front() == 'D' || name.front() == 'E' || name.front() == '$')) {
-    name.remove_prefix(1);
-  }
+  if (name.empty() || (name.front() != 'E' && name.front() != '$')) return std::nullopt;
+  const std::string_view what = name.front() == 'E' ? "floating-point numbers" : "texts";
+  name.remove_prefix(1);
   if (std::find(std::begin(kCompares), std::end(kCompares), name) == std::end(kCompares)) {
     return std::nullopt;
   }
-  return Unsupported{fmt::format("a compare contact, {}", kNotYet), {}, effect};
+  return Unsupported{fmt::format("a compare contact on {}, {}", what, kNotYet), {}, effect};
 }
 
-// Q's operators of other widths and kinds: D+, B*, E/, BK-, D/P.
+// Q's operators of other kinds: B*, E/, BK-.
 std::optional<Unsupported> operator_form(std::string_view name) {
-  const bool pulse = name.ends_with('P');
-  if (pulse) name.remove_suffix(1);
+  if (name.ends_with('P')) name.remove_suffix(1);
   if (name.empty() || std::string_view("+-*/").find(name.back()) == std::string_view::npos) {
     return std::nullopt;
   }
   const std::string_view prefix = name.substr(0, name.size() - 1);
   std::string_view kind;
-  if (prefix == "D") {
-    kind = "32-bit";
-  } else if (prefix == "B" || prefix == "DB") {
+  if (prefix == "B" || prefix == "DB") {
     kind = "BCD";
   } else if (prefix == "E" || prefix == "ED") {
     kind = "floating-point";
-  } else if (prefix == "BK") {
+  } else if (prefix == "BK" || prefix == "DBK") {
     kind = "block";
-  } else if (!prefix.empty() || !pulse) {
+  } else {
     return std::nullopt;
   }
-  std::string reason = fmt::format("{} arithmetic", kind);
-  if (pulse)
-    reason =
-        kind.empty() ? fmt::format("the pulse form of {}", name) : reason + " in its pulse form";
-  return Unsupported{fmt::format("{}, {}", reason, kNotYet), {}, Effect::Output};
+  return Unsupported{fmt::format("{} arithmetic, {}", kind, kNotYet), {}, Effect::Output};
 }
 
 std::optional<Unsupported> other_width_or_pulse(std::string_view name) {
@@ -262,13 +215,8 @@ std::optional<Unsupported> other_width_or_pulse(std::string_view name) {
   const bool wide = base.starts_with('D') && !has_forms(base);
   if (wide) base.remove_prefix(1);
   if ((!pulse && !wide) || !has_forms(base)) return std::nullopt;
-  const std::string_view form = !wide ? "pulse form" : pulse ? "32-bit pulse form" : "32-bit form";
-  // A base that is itself refused for its hardware will not be there in another form either.
   const Group* group = find_group(base);
-  if (group != nullptr && group->reason.find("not supported yet") == std::string_view::npos) {
-    return Unsupported{std::string(group->reason), std::string(group->mend), Effect::Output};
-  }
-  return Unsupported{fmt::format("the {} of {}, {}", form, base, kNotYet), {}, Effect::Output};
+  return Unsupported{std::string(group->reason), std::string(group->mend), Effect::Output};
 }
 
 bool is_module_instruction(std::string_view name) {
@@ -282,7 +230,7 @@ bool is_module_instruction(std::string_view name) {
 }  // namespace
 
 std::optional<Unsupported> unsupported_instruction(std::string_view name) {
-  if (find_instruction(name) != nullptr || name == "END") return std::nullopt;
+  if (!find_instruction(name).empty() || name == "END") return std::nullopt;
   if (const Group* group = find_group(name)) {
     return Unsupported{std::string(group->reason), std::string(group->mend), group->effect};
   }
@@ -308,31 +256,9 @@ std::optional<Unsupported> unsupported_operand(std::string_view text) {
     return Unsupported{
         "in the memory of a module or network, which this controller does not have", {}, {}};
   }
-  if (text.size() >= 4 && text.front() == 'K' && is_digit(text[1]) &&
-      std::isalpha(static_cast<unsigned char>(text[2])) != 0) {
-    return not_yet("a group of bits used as a word");
-  }
   if (text.size() >= 2 && text.front() == 'E' &&
       (is_digit(text[1]) || text[1] == '-' || text[1] == '+')) {
     return not_yet("a floating-point constant");
-  }
-  const std::size_t dot = text.find('.');
-  const std::size_t index = text.find_first_of("ZV", 1);
-  const auto is_device = [](std::string_view name) {
-    if (name.size() < 2) return false;
-    const bool letter = std::string_view("XYMD").find(name.front()) != std::string_view::npos;
-    return (letter && all_digits(name.substr(1), false)) || unsupported_operand(name).has_value();
-  };
-  if (dot != std::string_view::npos && is_device(text.substr(0, dot))) {
-    return not_yet("a bit of a word");
-  }
-  if (index != std::string_view::npos && index >= 2 && all_digits(text.substr(index + 1), true) &&
-      is_device(text.substr(0, index))) {
-    return not_yet("an indexed device");
-  }
-  // C235 to C255 of an FX count pulses of their own inputs.
-  if (text.size() == 4 && text >= "C235" && text <= "C255" && all_digits(text.substr(1), true)) {
-    return Unsupported{"a high-speed counter, hardware that this controller does not have", {}, {}};
   }
   for (const DeviceGroup& group : kDevices) {
     if (!text.starts_with(group.prefix)) continue;
@@ -344,8 +270,11 @@ std::optional<Unsupported> unsupported_operand(std::string_view text) {
 }
 
 bool is_label(std::string_view text) {
-  return text.size() >= 2 && (text.front() == 'P' || text.front() == 'I') &&
-         all_digits(text.substr(1), true);
+  return text.size() >= 2 && text.front() == 'P' && all_digits(text.substr(1), true);
+}
+
+bool is_interrupt_label(std::string_view text) {
+  return text.size() >= 2 && text.front() == 'I' && all_digits(text.substr(1), true);
 }
 
 std::vector<std::string_view> unsupported_names() {

@@ -29,8 +29,10 @@ inline bool is_unsupported_name(std::string_view name) {
 // that is known to be missing.
 std::optional<Unsupported> unsupported_operand(std::string_view text);
 
-// True for the pointers that may stand in place of an instruction: P0, I10.
+// True for what may stand in place of an instruction: a label, P0; and where an interrupt program
+// begins, I10, which is refused.
 bool is_label(std::string_view text);
+bool is_interrupt_label(std::string_view text);
 
 // All instruction names of the table, for suggestions.
 std::vector<std::string_view> unsupported_names();

@@ -17,8 +17,11 @@ class StructureCheck {
 
   void step(const StructureItem& item) {
     if (item.effect == Effect::None) return;
-    if (item.effect == Effect::Load && last_effect_ == Effect::Output &&
-        (lost_ || (blocks_.size() == 1 && branches_.empty()))) {
+    const bool between = item.effect == Effect::Between || item.effect == Effect::State;
+    if (between && !lost_) finish();
+    const bool can_begin = last_effect_ == Effect::Output || last_effect_ == Effect::State;
+    if (between || (item.effect == Effect::Load && can_begin &&
+                    (lost_ || (blocks_.size() == 1 && branches_.empty())))) {
       blocks_.clear();
       branches_.clear();
       lost_ = false;
@@ -33,11 +36,12 @@ class StructureCheck {
     if (lost_ || last_ == nullptr) return;
     if (!branches_.empty()) {
       fault(branches_.back().item->position,
-            "MPS without MPP: the branch is still open at the end of the program",
+            "MPS without MPP: the branch is still open at the end of the network",
             "read the last branch with MPP instead of MRD");
-    } else if (last_effect_ != Effect::Output) {
+    } else if (last_effect_ != Effect::Output && last_effect_ != Effect::State &&
+               last_effect_ != Effect::Between) {
       fault(last_->position,
-            fmt::format("the program ends here, but no output uses the result of this {}",
+            fmt::format("the network ends here, but no output uses the result of this {}",
                         last_->name),
             "add the output (OUT, SET, RST, MOV, ...) or remove these contacts");
     }
@@ -50,6 +54,23 @@ class StructureCheck {
   };
 
   void apply(const StructureItem& item) {
+    const bool after_state = last_effect_ == Effect::State;
+    switch (item.effect) {
+      case Effect::State:
+        return blocks_.push_back(&item);
+      case Effect::Combine:
+      case Effect::Join:
+      case Effect::Push:
+      case Effect::Read:
+      case Effect::Pop:
+        if (!after_state) break;
+        return fault(
+            item.position,
+            fmt::format("{} right after STL: only LD or an output may stand there", item.name),
+            "begin with LD or LDI");
+      default:
+        break;
+    }
     switch (item.effect) {
       case Effect::Load:
         return load(item);
@@ -64,6 +85,8 @@ class StructureCheck {
         return read(item);
       case Effect::Output:
         return output(item);
+      case Effect::State:
+      case Effect::Between:
       case Effect::None:
       case Effect::Unknown:
         return;
@@ -170,13 +193,9 @@ Effect effect_of(Op op) {
   switch (op) {
     case Op::Nop:
       return Effect::None;
-    case Op::Ld:
-    case Op::Ldi:
-      return Effect::Load;
-    case Op::And:
-    case Op::Ani:
-    case Op::Or:
-    case Op::Ori:
+    case Op::Inv:
+    case Op::Mep:
+    case Op::Mef:
       return Effect::Combine;
     case Op::Anb:
     case Op::Orb:
@@ -187,9 +206,21 @@ Effect effect_of(Op op) {
       return Effect::Read;
     case Op::Mpp:
       return Effect::Pop;
+    case Op::Stl:
+      return Effect::State;
+    case Op::Label:
+    case Op::Mcr:
+    case Op::Ret:
+    case Op::Sret:
+    case Op::Fend:
+    case Op::For:
+    case Op::Next:
+      return Effect::Between;
     default:
-      return Effect::Output;
+      break;
   }
+  if (is_load(op)) return Effect::Load;
+  return is_contact(op) ? Effect::Combine : Effect::Output;
 }
 
 StackLimits stack_limits(Dialect dialect) {
@@ -210,16 +241,19 @@ std::vector<Network> split_networks(std::span<const Instruction> instructions) {
   std::size_t first = 0;
   std::size_t after_output = 0;  // index after the last output; only NOPs have followed it
   bool can_end = false;
+  const auto end_network = [&](std::size_t end) {
+    if (end > first) networks.push_back({first, end - first});
+    first = end;
+    blocks = 0;
+    can_end = false;
+  };
   for (std::size_t i = 0; i < instructions.size(); ++i) {
-    switch (effect_of(instructions[i].op)) {
+    const Effect effect = effect_of(instructions[i].op);
+    switch (effect) {
       case Effect::None:
         continue;
       case Effect::Load:
-        if (can_end && blocks == 1 && branches == 0) {
-          networks.push_back({first, after_output - first});
-          first = after_output;
-          blocks = 0;
-        }
+        if (can_end && blocks == 1 && branches == 0) end_network(after_output);
         ++blocks;
         break;
       case Effect::Join:
@@ -231,13 +265,21 @@ std::vector<Network> split_networks(std::span<const Instruction> instructions) {
       case Effect::Pop:
         --branches;
         break;
+      case Effect::Between:
+        end_network(i);
+        end_network(i + 1);
+        continue;
+      case Effect::State:
+        end_network(i);
+        ++blocks;
+        break;
       default:
         break;
     }
-    can_end = is_output(instructions[i].op);
+    can_end = effect == Effect::Output || effect == Effect::State;
     if (can_end) after_output = i + 1;
   }
-  if (first < instructions.size()) networks.push_back({first, instructions.size() - first});
+  end_network(instructions.size());
   return networks;
 }
 

@@ -21,7 +21,9 @@ enum class Effect : std::uint8_t {
   Read,     // MRD
   Pop,      // MPP
   Output,   // uses the current result and keeps it
-  None,     // NOP, and what stands outside of networks
+  State,    // STL: ends a network and begins one, with a result for outputs
+  Between,  // stands between networks: labels, MCR, FOR, ...
+  None,     // NOP, and what takes no part
   Unknown,  // a word that is no instruction: nothing can be said until the next network
 };
 
@@ -49,8 +51,9 @@ StackLimits stack_limits(Dialect dialect);
 void check_structure(const std::string& file, Dialect dialect, std::span<const StructureItem> items,
                      Diagnostics& diagnostics);
 
-// The networks of instructions that pass the checks: one ends before an LD or LDI that follows an
-// output with no block or branch open. NOPs before that LD belong to the network it begins.
+// The networks of instructions that pass the checks: one ends before a load that follows an output
+// with no block or branch open, and before an STL. What stands between networks is one of its own.
+// NOPs before a load belong to the network it begins.
 std::vector<Network> split_networks(std::span<const Instruction> instructions);
 
 }  // namespace rung

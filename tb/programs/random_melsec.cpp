@@ -257,6 +257,15 @@ class Writer {
   std::array<bool, kMostRoutines> called_{};
 };
 
+// A program takes one of these: weights of outputs, chances of operands, forms and parts.
+std::array<int, 5> weights_of(Family family) {
+  if (family == Family::Wide || family == Family::Pulse) return {0, 10, 25, 50, 70};
+  if (family >= Family::Branches) return {0, 0, 5, 10, 20};
+  if (family >= Family::Digits) return {0, 0, 8, 20, 40};
+  if (family >= Family::Moves) return {0, 3, 6, 10, 15};
+  return {0, 0, 4, 9, 16};
+}
+
 }  // namespace
 
 std::string_view family_name(Family family) {
@@ -272,21 +281,15 @@ std::optional<Family> find_family(std::string_view name) {
 RandomMelsecOptions melsec_options(std::uint64_t seed) {
   RandomSource random(seed ^ 0x6D656C73);
   RandomMelsecOptions options;
-  options.dialect = random.percent(60) ? Dialect::Fx : Dialect::Q;
+  options.dialect = random.percent(50) ? Dialect::Fx : Dialect::Q;
   options.networks = 3 + random.below(7);
   options.inputs = 4 + random.below(8);
   options.outputs = 2 + random.below(8);
   options.relays = 4 + random.below(16);
   options.words = 4 + random.below(7);
   for (int i = 0; i < kFamilies; ++i) {
-    // Weights of outputs, and chances of everything else.
-    static constexpr int kOutputs[] = {0, 0, 2, 5, 12};
-    static constexpr int kChances[] = {0, 0, 8, 20, 40};
-    static constexpr int kParts[] = {0, 0, 5, 10, 20};
-    const bool part = i >= static_cast<int>(Family::Branches);
-    const bool output = i < static_cast<int>(Family::Digits);
-    const auto& table = output ? kOutputs : part ? kParts : kChances;
-    options.weights[static_cast<std::size_t>(i)] = table[random.below(5)];
+    const auto family = static_cast<Family>(i);
+    options.weight(family) = weights_of(family)[static_cast<std::size_t>(random.below(5))];
   }
   options.weight(Family::Bits) = 8;
   return options;

@@ -11,6 +11,7 @@
 #include "melsec/ranges.hpp"
 #include "melsec/suggest.hpp"
 #include "rungs/devices.hpp"
+#include "rungs/flow.hpp"
 #include "rungs/structure.hpp"
 
 namespace rung {
@@ -62,6 +63,12 @@ std::string_view role_name(Role role) {
   return "source";
 }
 
+// What resolve_flow() looks at.
+bool is_flow(Op op) {
+  return op == Op::Mc || op == Op::Cj || op == Op::Call || op == Op::Stl ||
+         effect_of(op) == Effect::Between;
+}
+
 // "two operands: source, target"
 std::string operand_names(const SourceInstruction& row, Dialect dialect) {
   static constexpr std::string_view kNumbers[] = {"no", "one", "two", "three", "four"};
@@ -107,9 +114,12 @@ class ProgramBuilder {
   }
 
   const std::vector<StructureItem>& structure() const { return structure_; }
+  // True if every label, jump, loop and zone of the source is in the program.
+  bool flow_is_whole() const { return flow_is_whole_; }
 
  private:
   void unknown(const ListWord& name) {
+    flow_is_whole_ = false;
     std::string mend;
     if (looks_like_operand(name.upper)) {
       mend = "this is an operand: its instruction stands before it, on the same line";
@@ -130,6 +140,7 @@ class ProgramBuilder {
     structure_.push_back({effect_of(Op::Label), name.upper, name.position});
     OperandReader reader(program_.file, program_.dialect, "label", diagnostics_);
     const auto pointer = reader.read(name, Role::Pointer, 16);
+    flow_is_whole_ = flow_is_whole_ && pointer.has_value();
     if (!pointer) return;
     Instruction instruction;
     instruction.op = Op::Label;
@@ -161,6 +172,7 @@ class ProgramBuilder {
     const std::string& name = statement.name.upper;
     const InstructionForm* form = choose(statement);
     if (form == nullptr) {
+      flow_is_whole_ = false;
       const SourceInstruction& row = *statement.forms.front().row;
       structure_.push_back({effect_of(row.op), name, statement.name.position});
       const std::string_view other = instruction_name(row.op, dialect);
@@ -188,6 +200,8 @@ class ProgramBuilder {
     }
     if (operands(statement, *form->row, instruction)) {
       program_.instructions.push_back(std::move(instruction));
+    } else if (is_flow(form->row->op)) {
+      flow_is_whole_ = false;
     }
   }
 
@@ -259,6 +273,7 @@ class ProgramBuilder {
   Program& program_;
   Diagnostics& diagnostics_;
   std::vector<StructureItem> structure_;
+  bool flow_is_whole_ = true;
   std::unordered_map<std::string, std::string_view> suggestions_;
 };
 
@@ -288,7 +303,11 @@ std::optional<Program> build_program(const StatementList& list, const std::strin
   program.dialect = dialect;
   ProgramBuilder builder(program, diagnostics);
   for (const Statement& statement : list.statements) builder.add(statement);
-  if (whole) check_structure(program.file, dialect, builder.structure(), diagnostics);
+  if (whole) {
+    check_structure(program.file, dialect, builder.structure(), diagnostics);
+    // Where a word was not understood, it may have been the label or zone that is missed.
+    if (builder.flow_is_whole()) resolve_flow(program, diagnostics);
+  }
   if (diagnostics.error_count() > errors_before) return std::nullopt;
   program.networks = split_networks(program.instructions);
   return program;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Word instructions that calculate: arithmetic, decimal numbers, rotates and shifts.
-#include <limits>
-#include <utility>
+#include <optional>
 
 #include "reference/reference.hpp"
 

@@ -74,9 +74,8 @@ void Reference::count_32(Device contact, std::int32_t preset) {
 
 void Reference::reset(const Instruction& instruction) {
   const Operand& target = instruction.operand(0);
-  const bool on = executes(instruction);
-  if (is_counter(target.device.kind)) coils_[contact_of(target.device)].held = on;
-  if (!on) return;
+  if (is_counter(target.device.kind)) coils_[contact_of(target.device)].held = condition();
+  if (!executes(instruction)) return;
   if (is_counter(target.device.kind) || is_timer(target.device.kind)) return clear(target.device);
   const std::optional<Operand> located = locate(target, 1);
   if (!located) return fail();

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// What surrounds the instructions: the functions that a user calls, the devices' variables, time.
+#pragma once
+
+#include "backends/c_source.hpp"
+#include "backends/c_unit.hpp"
+
+namespace rung {
+
+// The head comment, the prototypes and the variables. The instructions are in `unit.body` already,
+// so that it is known what they need.
+void write_declarations(const CUnit& unit, bool table, CSource& source);
+// The functions that know the devices: reset, access by number and by name.
+void write_accessors(const CUnit& unit, bool table, CSource& source);
+// At the beginning of a scan: time, special relays.
+void write_scan_start(const CUnit& unit, CSource& source);
+// Helpers that time and errors need.
+void write_time_and_faults(const CUnit& unit, CSource& source);
+
+}  // namespace rung

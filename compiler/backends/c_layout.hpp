@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where the devices of a program are kept in its C: special relays as variables of their own, all
+// others in one array for each kind, by their numbers.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "rungs/device.hpp"
+#include "rungs/footprint.hpp"
+#include "rungs/program.hpp"
+#include "rungs/special.hpp"
+
+namespace rung {
+
+class CLayout {
+ public:
+  explicit CLayout(const Program& program);
+
+  const std::vector<Device>& devices() const { return devices_; }
+  bool names(Device device) const { return named_.contains(device); }
+  bool special(Device device) const;
+  // Of the array of this kind; 0 where there is none.
+  std::uint32_t size(DeviceKind kind) const { return sizes_[static_cast<std::size_t>(kind)]; }
+  // The kind's letters, which are the name of its array.
+  static std::string array(DeviceKind kind);
+  static std::string type(DeviceKind kind) { return is_word(kind) ? "int16_t" : "uint8_t"; }
+  // A number as the dialect writes it: 010, 0x1F, 100.
+  std::string number(Device device) const;
+  // The variable that holds a device.
+  std::string place(Device device) const;
+  // A pointer to `count` devices from `first` on; nothing if they do not follow each other in an
+  // array.
+  std::optional<std::string> run(Device first, std::uint32_t count) const;
+  // What an index register reaches. Asked of kinds that the program indexes.
+  const IndexWindow& window(DeviceKind kind) const;
+  // The special relays of this role that the program names.
+  std::vector<Device> of_role(SpecialRole role) const;
+
+ private:
+  Dialect dialect_;
+  std::vector<Device> devices_;
+  std::set<Device> named_;
+  std::vector<IndexWindow> windows_;
+  std::array<std::uint32_t, kDeviceKinds> sizes_{};
+};
+
+}  // namespace rung

@@ -62,12 +62,9 @@ bool Reference::contact(const Instruction& instruction) {
 bool Reference::compare(const Instruction& instruction) {
   const std::optional<Operand> left = locate(instruction.operand(0), instruction.width / 16);
   const std::optional<Operand> right = locate(instruction.operand(1), instruction.width / 16);
-  if (!left || !right) {
-    fail();
-    return false;
-  }
-  const std::int32_t a = read_word(*left, instruction.width);
-  const std::int32_t b = read_word(*right, instruction.width);
+  if (!left || !right) fail();
+  const std::int32_t a = left ? read_word(*left, instruction.width) : 0;
+  const std::int32_t b = right ? read_word(*right, instruction.width) : 0;
   switch (instruction.relation) {
     case Relation::Equal:
       return a == b;

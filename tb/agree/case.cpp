@@ -25,6 +25,7 @@ std::vector<Device> observed(const Program& program) {
   for (const IndexWindow& window : index_windows(program)) {
     for (std::uint32_t n = window.first; n <= window.last; ++n) devices.insert({window.kind, n});
   }
+  devices = {named.begin(), named.end()};
   return {devices.begin(), devices.end()};
 }
 
@@ -43,10 +44,11 @@ std::string text_of(std::uint64_t seed, const std::vector<Family>& only) {
   return random_melsec(seed, options);
 }
 
-std::optional<Case> make_case(std::uint64_t seed, const std::string& text, std::string& messages) {
+std::optional<Case> make_case(std::uint64_t seed, const std::string& text, std::string& messages,
+                              const Case* original) {
   Diagnostics diagnostics;
   const auto source = decode_text(text, fmt::format("random-{}.il", seed), diagnostics);
-  const Dialect dialect = text.starts_with("; dialect q") ? Dialect::Q : Dialect::Fx;
+  const Dialect dialect = melsec_options(seed).dialect;
   std::optional<Program> program;
   if (source) program = parse_list(*source, dialect, diagnostics);
   if (!program) {
@@ -62,7 +64,16 @@ std::optional<Case> make_case(std::uint64_t seed, const std::string& text, std::
   one.devices = observed(one.program);
   one.tick_us = melsec_tick_us(seed);
   const int scans = kLeastScans + RandomSource(seed).below(kMostScans - kLeastScans + 1);
-  one.events = melsec_stimulus(seed, named_devices(one.program), dialect, scans);
+  if (original == nullptr) {
+    one.events = melsec_stimulus(seed, named_devices(one.program), dialect, scans);
+    return one;
+  }
+  one.events = original->events;
+  for (auto& events : one.events) {
+    std::erase_if(events, [&](const StimulusEvent& event) {
+      return !std::binary_search(one.devices.begin(), one.devices.end(), event.device);
+    });
+  }
   return one;
 }
 

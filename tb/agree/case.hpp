@@ -29,8 +29,10 @@ using States = std::vector<std::vector<std::int16_t>>;
 
 // Program number `seed`, of the families in `only` (all if empty).
 std::string text_of(std::uint64_t seed, const std::vector<Family>& only);
-// A program with the stimulus of `seed`. Nothing, and why in `messages`, when `text` is refused.
-std::optional<Case> make_case(std::uint64_t seed, const std::string& text, std::string& messages);
+// A program with the stimulus of `seed`; of a case that `text` is a part of, with the same events.
+// Nothing, and why in `messages`, when `text` is refused.
+std::optional<Case> make_case(std::uint64_t seed, const std::string& text, std::string& messages,
+                              const Case* original = nullptr);
 
 // The reference's states.
 States run_reference(const Case& one);

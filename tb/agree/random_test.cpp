@@ -75,19 +75,19 @@ class Agreement {
   // Differs even after lines were taken out.
   void report(const Case& one, const std::string& found) {
     const auto differs = [&](const std::string& text) {
-      return !difference_of(one.seed, text).empty();
+      return !difference_of(one, text).empty();
     };
     const std::string small = shrink(one.text, differs);
     const char* const families = std::getenv("RUNG_FAMILIES");
     FAIL() << found
            << "replay: " << (families == nullptr ? "" : fmt::format("RUNG_FAMILIES={} ", families))
            << "RUNG_SEED=" << one.seed << " build/test/tb/agree/agree_random\n"
-           << one.text << "the same with fewer lines: " << difference_of(one.seed, small) << small;
+           << one.text << "the same with fewer lines: " << difference_of(one, small) << small;
   }
 
-  std::string difference_of(std::uint64_t seed, const std::string& text) const {
+  std::string difference_of(const Case& original, const std::string& text) const {
     std::string messages;
-    const std::optional<Case> one = make_case(seed, text, messages);
+    const std::optional<Case> one = make_case(original.seed, text, messages, &original);
     if (!one) return {};
     const CRun c = run_as_c({&*one, 1}, RUNG_SCRATCH, name_ + "-shrink");
     return c.states.empty() ? "" : difference(*one, run_reference(*one), c.states[0], "C");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
+#include <iconv.h>
 #include <utf8.h>
 
 #include <cerrno>
@@ -16,7 +17,7 @@ namespace rung {
 namespace {
 
 constexpr SourcePosition kWholeFile{1, 1};
-constexpr std::string_view kEncodings = "save it as UTF-8, or as UTF-16LE with a byte order mark";
+constexpr std::string_view kEncodings = "save it as UTF-8, or as UTF-16 with a byte order mark";
 
 // The place of the character after `text`.
 SourcePosition end_of(std::u32string_view text) {
@@ -38,26 +39,57 @@ bool is_binary(char32_t c) {
          (c >= 0x7F && c < 0xA0);
 }
 
+// As Windows writes Shift-JIS; nothing if the bytes are not valid in it.
+std::optional<std::u32string> decode_shift_jis(std::string_view bytes) {
+  const iconv_t converter = iconv_open("UTF-8", "CP932");
+  // NOLINTNEXTLINE: how iconv says that it does not know an encoding
+  if (converter == reinterpret_cast<iconv_t>(-1)) return std::nullopt;
+  std::string in(bytes);
+  std::string out(3 * in.size() + 1, '\0');  // no character of CP932 takes more in UTF-8
+  char* from = in.data();
+  char* to = out.data();
+  std::size_t from_left = in.size();
+  std::size_t to_left = out.size();
+  const bool good = iconv(converter, &from, &from_left, &to, &to_left) == 0 && from_left == 0;
+  iconv_close(converter);
+  if (!good) return std::nullopt;
+  out.resize(out.size() - to_left);
+  std::u32string text;
+  utf8::unchecked::utf8to32(out.begin(), out.end(), std::back_inserter(text));
+  return text;
+}
+
+// UTF-16 without a byte order mark, as far as it can be told: it begins with an ASCII character.
+bool is_utf16(std::string_view bytes, bool big_endian) {
+  return bytes.size() >= 4 && (bytes[0] == '\0') == big_endian &&
+         (bytes[1] == '\0') != big_endian && (bytes[2] == '\0') == big_endian &&
+         (bytes[3] == '\0') != big_endian;
+}
+
 std::optional<std::u32string> decode_utf8(std::string_view bytes, const std::string& file,
                                           Diagnostics& diagnostics) {
   std::u32string text;
   const auto bad = utf8::find_invalid(bytes.begin(), bytes.end());
   utf8::unchecked::utf8to32(bytes.begin(), bad, std::back_inserter(text));
   if (bad == bytes.end()) return text;
-  diagnostics.error(
-      file, end_of(text),
-      fmt::format("the byte 0x{:02X} is not valid UTF-8", static_cast<unsigned char>(*bad)),
-      fmt::format("{} (Shift-JIS is not read)", kEncodings));
+  // Japanese tools write Shift-JIS, and nothing in it says so.
+  if (auto japanese = decode_shift_jis(bytes)) return japanese;
+  diagnostics.error(file, end_of(text),
+                    fmt::format("the byte 0x{:02X} is valid neither in UTF-8 nor in Shift-JIS",
+                                static_cast<unsigned char>(*bad)),
+                    std::string(kEncodings));
   return std::nullopt;
 }
 
-std::optional<std::u32string> decode_utf16le(std::string_view bytes, const std::string& file,
-                                             Diagnostics& diagnostics) {
+std::optional<std::u32string> decode_utf16(std::string_view bytes, bool big_endian,
+                                           const std::string& file, Diagnostics& diagnostics) {
   std::u32string text;
   const std::size_t units = bytes.size() / 2;
   const auto unit = [&](std::size_t i) {
-    return static_cast<char32_t>(static_cast<unsigned char>(bytes[2 * i]) |
-                                 static_cast<unsigned char>(bytes[2 * i + 1]) << 8);
+    const std::size_t low = 2 * i + (big_endian ? 1 : 0);
+    const std::size_t high = 2 * i + (big_endian ? 0 : 1);
+    return static_cast<char32_t>(static_cast<unsigned char>(bytes[low]) |
+                                 static_cast<unsigned char>(bytes[high]) << 8);
   };
   const auto is_high = [](char32_t u) { return u >= 0xD800 && u < 0xDC00; };
   const auto is_low = [](char32_t u) { return u >= 0xDC00 && u < 0xE000; };
@@ -134,10 +166,11 @@ std::optional<SourceText> decode_text(std::string_view bytes, const std::string&
                                       Diagnostics& diagnostics) {
   std::optional<std::u32string> text;
   if (bytes.starts_with("\xFF\xFE")) {
-    text = decode_utf16le(bytes.substr(2), file, diagnostics);
+    text = decode_utf16(bytes.substr(2), false, file, diagnostics);
   } else if (bytes.starts_with("\xFE\xFF")) {
-    diagnostics.error(file, kWholeFile, "this is UTF-16BE, which is not read",
-                      std::string(kEncodings));
+    text = decode_utf16(bytes.substr(2), true, file, diagnostics);
+  } else if (is_utf16(bytes, false) || is_utf16(bytes, true)) {
+    text = decode_utf16(bytes, is_utf16(bytes, true), file, diagnostics);
   } else if (bytes.find('\0') != std::string_view::npos) {
     diagnostics.error(file, kWholeFile, "this is a binary file: it holds NUL bytes",
                       fmt::format("if it is text, {}", kEncodings));

@@ -25,8 +25,9 @@ inline constexpr std::size_t kMaxSourceBytes = 64U << 20U;
 // be read or is larger than kMaxSourceBytes.
 std::optional<std::string> read_bytes(const std::string& path, Diagnostics& diagnostics);
 
-// `bytes` as text: UTF-8 with or without byte order mark, or UTF-16LE with one; lines end with LF,
-// CRLF or CR. Nothing, with an error, when they are empty, binary, or not valid in their encoding.
+// `bytes` as text: UTF-8 or UTF-16 (either order) with or without byte order mark, or Shift-JIS
+// where it is no UTF-8; lines end with LF, CRLF or CR. Nothing, with an error, when they are empty,
+// binary, or not valid in their encoding.
 std::optional<SourceText> decode_text(std::string_view bytes, const std::string& file,
                                       Diagnostics& diagnostics);
 

@@ -9,7 +9,7 @@ namespace {
 void statement(CUnit& unit, const COperands& operands, std::string_view guard,
                const std::string& text) {
   if (!operands.indexed()) {
-    return unit.body.line("{}{}", guard.empty() ? "" : fmt::format("if ({}) ", guard), text);
+    return unit.body.line("{}{}", guard.empty() ? "" : fmt::format("if ({}) ", bare(guard)), text);
   }
   write_guarded(unit, operands, guard, [&] { unit.body.code(text); });
 }
@@ -30,7 +30,7 @@ void pulse_output(CUnit& unit, const Instruction& instruction, const COperands& 
   unit.body.code(operands.set_bit(0, instruction.op == Op::Pls
                                          ? fmt::format("{} & ({} ^ 1u)", condition.cond, edge)
                                          : fmt::format("({} ^ 1u) & {}", condition.cond, edge)));
-  unit.body.line("{} = (uint8_t)({});", edge, condition.cond);
+  unit.body.line("{} = (uint8_t)({});", edge, bare(condition.cond));
 }
 
 void shift_one(CUnit& unit, const Instruction& instruction, const CCondition& condition) {
@@ -103,7 +103,7 @@ void write_guarded(CUnit& unit, const COperands& operands, std::string_view guar
   if (guard.empty()) {
     unit.body.open("{{");
   } else {
-    unit.body.open("if ({}) {{", guard);
+    unit.body.open("if ({}) {{", bare(guard));
   }
   if (operands.indexed()) {
     operands.declare_indices();

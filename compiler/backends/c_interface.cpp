@@ -123,7 +123,7 @@ void access_by_name(const CUnit& unit, CSource& source) {
   source.line("  uint8_t *bit;");
   source.line("  int16_t *word;");
   source.open("}} @_table[] = {{");
-  for (const Device device : unit.layout.devices()) {
+  for (const Device device : unit.layout.reachable()) {
     const std::string place = "&" + unit.layout.place(device);
     source.line("{{\"{}\", {}, {}}},", device_name(device, unit.program.dialect),
                 is_word(device) ? "0" : place, is_word(device) ? place : "0");

@@ -30,6 +30,14 @@ CLayout::CLayout(const Program& program)
   }
 }
 
+std::vector<Device> CLayout::reachable() const {
+  std::set<Device> devices = named_;
+  for (const IndexWindow& window : windows_) {
+    for (std::uint32_t n = window.first; n <= window.last; ++n) devices.insert({window.kind, n});
+  }
+  return {devices.begin(), devices.end()};
+}
+
 bool CLayout::special(Device device) const { return find_special(device, dialect_) != nullptr; }
 
 std::string CLayout::array(DeviceKind kind) {

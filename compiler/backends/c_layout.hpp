@@ -21,6 +21,8 @@ class CLayout {
   explicit CLayout(const Program& program);
 
   const std::vector<Device>& devices() const { return devices_; }
+  // These and all that an index register may reach.
+  std::vector<Device> reachable() const;
   bool names(Device device) const { return named_.contains(device); }
   bool special(Device device) const;
   // Of the array of this kind; 0 where there is none.

@@ -18,6 +18,12 @@ std::string literal(std::int32_t value) {
 
 }  // namespace
 
+std::string_view bare(std::string_view expression) {
+  const bool whole = expression.size() > 2 && expression.front() == '(' &&
+                     expression.find_first_of("()", 1) == expression.size() - 1;
+  return whole ? expression.substr(1, expression.size() - 2) : expression;
+}
+
 std::string COperands::bit(std::size_t i) const {
   const Operand& operand = instruction_.operand(i);
   if (operand.kind == Kind::WordBit) {
@@ -36,7 +42,7 @@ std::string COperands::set_bit(std::size_t i, std::string_view value) const {
   }
   const bool literal = value == "0" || value == "1";
   return fmt::format("{} = {};", place(i),
-                     literal ? std::string(value) : fmt::format("(uint8_t)({})", value));
+                     literal ? std::string(value) : fmt::format("(uint8_t)({})", bare(value)));
 }
 
 std::string COperands::read_bit(std::size_t i) const {

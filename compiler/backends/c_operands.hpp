@@ -12,6 +12,9 @@
 
 namespace rung {
 
+// The expression without parentheses around all of it.
+std::string_view bare(std::string_view expression);
+
 class COperands {
  public:
   COperands(CUnit& unit, const Instruction& instruction) : unit_(unit), instruction_(instruction) {}

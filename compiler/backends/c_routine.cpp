@@ -61,6 +61,7 @@ void CRoutine::write() {
   std::swap(declarations, unit_.body);
   for (std::size_t i = range_.first; i < range_.end; ++i) {
     if (!contains(i)) continue;
+    if (ends_state(i)) close_state();
     source_comment(i);
     instruction(unit_.program.instructions[i]);
   }
@@ -74,12 +75,21 @@ void CRoutine::write() {
   unit_.body.append(code);
 }
 
+// A state's zone ends at RET and at the next STL; those that follow each other directly are in
+// series.
+bool CRoutine::ends_state(std::size_t index) const {
+  const std::vector<Instruction>& all = unit_.program.instructions;
+  const Op op = all[index].op;
+  if (op == Op::Stl) return index == range_.first || all[index - 1].op != Op::Stl;
+  return op == Op::Ret || op == Op::Fend;
+}
+
 void CRoutine::source_comment(std::size_t index) {
   const std::vector<Network>& networks = unit_.program.networks;
-  const auto found = std::find_if(networks.begin(), networks.end(), [&](const Network& network) {
-    return network.first == index && network.count > 0;
-  });
-  if (found == networks.end()) return;
+  const auto found = std::lower_bound(
+      networks.begin(), networks.end(), index,
+      [](const Network& network, std::size_t wanted) { return network.first < wanted; });
+  if (found == networks.end() || found->first != index || found->count == 0) return;
   unit_.body.blank();
   unit_.body.comment(
       fmt::format("/* Network {}, by the lines of its source", found - networks.begin() + 1));
@@ -225,12 +235,13 @@ void CRoutine::output(const Instruction& instruction) {
   }
   if (instruction.op == Op::Cj) return jump(instruction, condition.executed);
   if (instruction.op == Op::Call) {
-    return body.line("if ({}) {}();", condition.executed, name(unit_, instruction.destination));
+    return body.line("if ({}) {}();", bare(condition.executed),
+                     name(unit_, instruction.destination));
   }
   if (instruction.op == Op::Mc) {
     const int level = instruction.operand(0).value;
     // Its condition still has the power of the zones around it alone.
-    body.line("{} = {};", local(fmt::format("n{}", level), false), condition.cond);
+    body.line("{} = {};", local(fmt::format("n{}", level), false), bare(condition.cond));
     body.code(COperands(unit_, instruction).set_bit(1, fmt::format("n{}", level)));
     local(fmt::format("n{}", level), true);
     if (std::find(levels_.begin(), levels_.end(), level) == levels_.end()) {
@@ -246,8 +257,9 @@ void CRoutine::output(const Instruction& instruction) {
 }
 
 void CRoutine::jump(const Instruction& instruction, const std::string& executed) {
-  if (instruction.destination >= range_.end) return unit_.body.line("if ({}) return;", executed);
-  unit_.body.line("if ({}) goto P{};", executed,
+  if (instruction.destination >= range_.end)
+    return unit_.body.line("if ({}) return;", bare(executed));
+  unit_.body.line("if ({}) goto P{};", bare(executed),
                   unit_.program.instructions[instruction.destination].operand(0).value);
 }
 
@@ -268,9 +280,6 @@ bool CRoutine::flow(const Instruction& instruction) {
     case Op::Stl:
       state(index);
       break;
-    case Op::Ret:
-      close_state();
-      break;
     case Op::For: {
       const std::string counter = local(fmt::format("k{}", loops_++), true);
       body.open("for ({0} = 0; {0} < {1}u; ++{0}) {{", counter, instruction.operand(0).value);
@@ -281,9 +290,9 @@ bool CRoutine::flow(const Instruction& instruction) {
       body.close();
       break;
     case Op::Fend:
-      close_state();
       body.line("return;");
       break;
+    case Op::Ret:
     case Op::Sret:
       break;
     default:
@@ -305,7 +314,6 @@ void CRoutine::state(std::size_t index) {
   const std::vector<Instruction>& all = unit_.program.instructions;
   const bool continues = index > range_.first && all[index - 1].op == Op::Stl;
   const bool is_continued = index + 1 < range_.end && all[index + 1].op == Op::Stl;
-  if (!continues) close_state();
   const Device device = all[index].operand(0).device;
   states_.push_back(device);
   const std::string place = unit_.layout.place(device);

@@ -36,6 +36,7 @@ class CRoutine {
   void contact(const Instruction& instruction);
   bool block(const Instruction& instruction);
   void state(std::size_t index);
+  bool ends_state(std::size_t index) const;
   void close_state();
   bool flow(const Instruction& instruction);
   void jump(const Instruction& instruction, const std::string& executed);

@@ -57,7 +57,7 @@ void reset(CUnit& unit, Device contact, const CCondition& condition) {
     const std::string held = state(unit, contact);
     unit.body.line("{0} = (uint8_t)(({0} & 1u) | ({1}) << 1);", held, condition.cond);
   }
-  unit.body.open("if ({}) {{", condition.executed);
+  unit.body.open("if ({}) {{", bare(condition.executed));
   unit.body.line("{} = 0;", unit.layout.place(contact));
   const Device value = value_of(contact);
   unit.body.line("{} = 0;", unit.layout.place(value));

@@ -20,7 +20,7 @@ bool plain_move(const Instruction& instruction, bool indexed) {
 void move(CUnit& unit, const Instruction& instruction, const COperands& operands,
           const CCondition& condition) {
   if (plain_move(instruction, operands.indexed())) {
-    return unit.body.line("if ({}) {} = {};", condition.executed, operands.place(1),
+    return unit.body.line("if ({}) {} = {};", bare(condition.executed), operands.place(1),
                           operands.value(0));
   }
   write_guarded(unit, operands, condition.executed, [&] {

@@ -25,7 +25,6 @@ std::vector<Device> observed(const Program& program) {
   for (const IndexWindow& window : index_windows(program)) {
     for (std::uint32_t n = window.first; n <= window.last; ++n) devices.insert({window.kind, n});
   }
-  devices = {named.begin(), named.end()};
   return {devices.begin(), devices.end()};
 }
 

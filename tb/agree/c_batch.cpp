@@ -19,13 +19,13 @@ namespace {
 // Its output: the values of all devices after each scan, 16 bits each.
 constexpr const char* kMain = R"(
 #include <stdio.h>
+#include <string.h>
 
 struct plc {
   void (*reset)(void);
   void (*cycle)(void);
   void (*elapsed)(uint32_t);
-  int (*set)(const char *, long);
-  long (*get)(const char *);
+  const struct plc_device *table;
   const char *const *names;
   int count;
 };
@@ -36,22 +36,29 @@ static int next(void) {
 }
 
 static void run(const struct plc *p) {
+  static const struct plc_device *at[20000];
+  static int16_t values[20000];
   int tick = next();
   int scans = next();
   int scan, i;
+  for (i = 0; i < p->count; i++) {
+    for (at[i] = p->table; at[i]->name && strcmp(at[i]->name, p->names[i]) != 0;) at[i]++;
+  }
   p->reset();
+  p->elapsed((uint32_t)tick);
   for (scan = 0; scan < scans; scan++) {
     int events = next();
     for (; events > 0; events--) {
-      const char *name = p->names[next()];
-      p->set(name, next());
+      const struct plc_device *device = at[next()];
+      int value = next();
+      if (device->bit) *device->bit = (uint8_t)value;
+      if (device->word) *device->word = (int16_t)value;
     }
-    if (scan > 0) p->elapsed((uint32_t)tick);
     p->cycle();
     for (i = 0; i < p->count; i++) {
-      int16_t value = (int16_t)p->get(p->names[i]);
-      fwrite(&value, sizeof value, 1, stdout);
+      values[i] = (int16_t)(at[i]->bit ? *at[i]->bit : at[i]->word ? *at[i]->word : 0);
     }
+    fwrite(values, sizeof values[0], (size_t)p->count, stdout);
   }
   fflush(stdout);
 }
@@ -64,7 +71,7 @@ std::string source_of(std::span<const Case> cases) {
   for (std::size_t i = 0; i < cases.size(); ++i) {
     COptions options;
     options.prefix = prefix_of(i);
-    options.table = true;
+    options.bare = true;
     text += write_c(cases[i].program, options);
   }
   text += kMain;
@@ -77,7 +84,7 @@ std::string source_of(std::span<const Case> cases) {
   }
   text += "static const struct plc all[] = {\n";
   for (std::size_t i = 0; i < cases.size(); ++i) {
-    text += fmt::format("{{{0}Reset, {0}Cycle, {0}Elapsed, {0}Set, {0}Get, n{1}, {2}}},\n",
+    text += fmt::format("{{{0}Reset, {0}Cycle, {0}Elapsed, {0}devices, n{1}, {2}}},\n",
                         prefix_of(i), i, cases[i].devices.size());
   }
   text += fmt::format(

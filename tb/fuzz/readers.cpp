@@ -10,7 +10,9 @@
 
 #include "backends/list_writer.hpp"
 #include "image/image_file.hpp"
+#include "melsec/comments.hpp"
 #include "melsec/list.hpp"
+#include "melsec/melsec.hpp"
 #include "trace/stimulus.hpp"
 #include "trace/trace.hpp"
 
@@ -44,24 +46,39 @@ bool same(const Program& left, const Program& right) {
   return true;
 }
 
-void read_list(std::string_view bytes) {
+// Through every dialect; what is accepted is written as a list, which must be the same program.
+void read_program(std::string_view bytes, const std::string& file) {
   Diagnostics decoding;
-  const auto text = decode_text(bytes, "fuzz.esc", decoding);
+  const auto text = decode_text(bytes, file, decoding);
   check(text.has_value(), decoding);
   if (!text) return;
   for (const std::optional<Dialect> dialect :
        {std::optional<Dialect>(), std::optional(Dialect::Paper), std::optional(Dialect::Fx),
         std::optional(Dialect::Q)}) {
     Diagnostics diagnostics;
-    const auto program = parse_list(*text, dialect, diagnostics);
+    const auto program = parse_melsec(*text, dialect, diagnostics);
     check(program.has_value(), diagnostics);
     if (!program) continue;
-    // The normalised list is the same program.
     Diagnostics again;
     const auto list = decode_text(to_list(*program), "again.il", again);
     require(list.has_value(), "the written list is no text");
     const auto back = parse_list(*list, program->dialect, again);
     require(back.has_value() && same(*program, *back), "the written list is another program");
+  }
+}
+
+// The suffix frees it from the need of an END.
+void read_list(std::string_view bytes) { read_program(bytes, "fuzz.esc"); }
+
+void read_csv(std::string_view bytes) { read_program(bytes, "fuzz.csv"); }
+
+void read_comments(std::string_view bytes) {
+  Diagnostics decoding;
+  const auto text = decode_text(bytes, "comments.csv", decoding);
+  if (!text) return;
+  for (const Dialect dialect : {Dialect::Paper, Dialect::Fx, Dialect::Q}) {
+    Diagnostics diagnostics;
+    check(parse_comments(*text, dialect, diagnostics).has_value(), diagnostics);
   }
 }
 
@@ -127,10 +144,8 @@ void read_image(std::string_view bytes) {
 }
 
 constexpr Reader kReaders[] = {
-    {"list", read_list},
-    {"stimulus", read_stimulus},
-    {"trace", read_golden},
-    {"image", read_image},
+    {"list", read_list},         {"csv", read_csv},      {"comments", read_comments},
+    {"stimulus", read_stimulus}, {"trace", read_golden}, {"image", read_image},
 };
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include <cassert>
 #include <set>
 
+#include "rungs/footprint.hpp"
+
 namespace rung::image {
 
 using isa::SlotInstruction;
@@ -11,7 +13,7 @@ using isa::WordKind;
 
 Addresses::Addresses(const Program& source, const core::Program& program) {
   std::set<Device> all;
-  for (const Device device : named_devices(source)) all.insert(device);
+  for (const Device device : visible_devices(source)) all.insert(device);
   for (const Device device : core::devices(program)) all.insert(device);
   // Hidden kinds stand last among the bits and among the words.
   for (const Device device : all) devices_[device] = is_word(device) ? words_++ : bits_++;

@@ -123,8 +123,11 @@ class Builder {
   NodeId inverse(NodeId of) {
     assert(of != kNoNode);
     if (logic_.nodes[of].kind == NodeKind::NotLeaf) return logic_.nodes[of].left;
+    // A leaf that has been overwritten since can only be had from where it was kept.
+    const Node& child = logic_.nodes[of];
+    const bool reads = child.kind == NodeKind::Leaf && version(child.device) == child.version;
     Node node;
-    node.kind = logic_.nodes[of].kind == NodeKind::Leaf ? NodeKind::NotLeaf : NodeKind::Not;
+    node.kind = reads ? NodeKind::NotLeaf : NodeKind::Not;
     node.left = of;
     ++logic_.nodes[of].uses;
     return add(node);

@@ -41,6 +41,16 @@ void separate(Context& context, const Words& a, Words& b) {
   }
 }
 
+Words in_words(Context& context, const Words& value) {
+  Words words;
+  for (const WordSource& source : value) {
+    const Device device = context.temporary_word();
+    context.always(Core::Mov, {device}, {source});
+    words.push_back(word(device));
+  }
+  return words;
+}
+
 std::vector<Device> temporaries(Context& context, int count) {
   std::vector<Device> devices;
   for (int i = 0; i < count; ++i) devices.push_back(context.temporary_word());
@@ -235,11 +245,12 @@ void multiply_or_divide(Context& context) {
       return execution.end();
     }
   }
+  // A constant divisor is 0 or is not; the one that is goes through words, to be found at fault.
+  if (divide && all_constant(b, b) && number(b) == 0) b = in_words(context, b);
   separate(context, a, b);
   // The divider itself writes nothing when it divides by 0; a relay has to be told.
-  if (divide && (!context.named_of_role(SpecialRole::Error).empty() || to.offset)) {
-    requirements.faults.push_back(is_zero(context, b));
-  }
+  const bool told = !context.named_of_role(SpecialRole::Error).empty() || to.offset;
+  if (divide && told && !all_constant(b, b)) requirements.faults.push_back(is_zero(context, b));
   const Core op =
       wide(context) ? (divide ? Core::Div32 : Core::Mul32) : (divide ? Core::Div : Core::Mul);
   std::vector<Device> targets = direct_words(context, to, count);

@@ -55,9 +55,19 @@ void NetworkPlan::find_latest() {
     const NodeId condition = logic_.actions[a].condition;
     if (condition != logic::kNoNode) latest_[condition - nodes_.first] = a;
   }
+  std::vector<bool> read(latest_.size(), false);
+  for (NodeId id = nodes_.first; id < nodes_.end; ++id) {
+    if (!cover_.is_chosen(id)) continue;
+    for_signals(id, [&](NodeId signal) {
+      if (signal != id) read[signal - nodes_.first] = true;
+    });
+  }
   for (NodeId id = nodes_.end; id-- > nodes_.first;) {
     std::int32_t& own = latest_[id - nodes_.first];
     own = std::max(own, node(id).epoch);
+    // One that others read stands where the source has it (split_segments).
+    const bool early = read[id - nodes_.first] && !is_leaf(id) && cover_.is_boundary(id);
+    if (early) own = node(id).epoch;
     if (!cover_.is_chosen(id)) continue;
     for_signals(id, [&](NodeId signal) {
       std::int32_t& below = latest_[signal - nodes_.first];

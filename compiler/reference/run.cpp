@@ -5,7 +5,7 @@ namespace rung {
 
 ReferenceRun::ReferenceRun(const Program& program, bool with_state, std::int64_t tick_us)
     : program_(program), tick_us_(tick_us), reference_(program, tick_us), recorder_(with_state) {
-  for (const Device device : named_devices(program)) {
+  for (const Device device : visible_devices(program)) {
     devices_.push_back({device, device_name(device, program.dialect)});
   }
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "rungs/devices.hpp"
 #include "rungs/special.hpp"
@@ -203,6 +204,15 @@ std::vector<IndexWindow> index_windows(const Program& program) {
     windows.push_back(window);
   }
   return windows;
+}
+
+std::vector<Device> visible_devices(const Program& program) {
+  const std::vector<Device> named = named_devices(program);
+  std::set<Device> devices(named.begin(), named.end());
+  for (const IndexWindow& window : index_windows(program)) {
+    for (std::uint32_t n = window.first; n <= window.last; ++n) devices.insert({window.kind, n});
+  }
+  return {devices.begin(), devices.end()};
 }
 
 }  // namespace rung

@@ -31,4 +31,8 @@ struct IndexWindow {
 };
 std::vector<IndexWindow> index_windows(const Program& program);
 
+// What a trace's state shows, in order: the devices that the program names, and those of its
+// windows.
+std::vector<Device> visible_devices(const Program& program);
+
 }  // namespace rung

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 #include <sstream>
 
 #include "melsec/list.hpp"
@@ -18,15 +17,6 @@ namespace {
 
 constexpr int kLeastScans = 10;
 constexpr int kMostScans = 20;
-
-std::vector<Device> observed(const Program& program) {
-  const std::vector<Device> named = named_devices(program);
-  std::set<Device> devices(named.begin(), named.end());
-  for (const IndexWindow& window : index_windows(program)) {
-    for (std::uint32_t n = window.first; n <= window.last; ++n) devices.insert({window.kind, n});
-  }
-  return {devices.begin(), devices.end()};
-}
 
 }  // namespace
 
@@ -60,7 +50,7 @@ std::optional<Case> make_case(std::uint64_t seed, const std::string& text, std::
   one.seed = seed;
   one.text = text;
   one.program = std::move(*program);
-  one.devices = observed(one.program);
+  one.devices = visible_devices(one.program);
   one.tick_us = melsec_tick_us(seed);
   const int scans = kLeastScans + RandomSource(seed).below(kMostScans - kLeastScans + 1);
   if (original == nullptr) {

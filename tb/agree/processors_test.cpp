@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+// Random programs of all instructions: the three processors against the reference, scan by scan.
+//
+// RUNG_SEED=N runs program N alone; RUNG_COUNT=N runs that many programs (10,000 if not given);
+// RUNG_FAMILIES=timers,zones keeps to these families (programs/random_melsec.hpp).
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdlib>
+#include <sstream>
+#include <stdexcept>
+
+#include "agree/case.hpp"
+#include "driver/compile.hpp"
+#include "lockstep/lockstep.hpp"
+#include "programs/shrink.hpp"
+
+namespace rung::tb {
+namespace {
+
+constexpr std::uint64_t kDefaultCount = 10000;
+
+std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
+  const char* text = std::getenv(name);
+  return text == nullptr ? otherwise : std::strtoull(text, nullptr, 10);
+}
+
+std::vector<Family> families_of_environment() {
+  std::vector<Family> families;
+  const char* text = std::getenv("RUNG_FAMILIES");
+  if (text == nullptr) return families;
+  std::istringstream in(text);
+  for (std::string name; std::getline(in, name, ',');) {
+    const std::optional<Family> family = find_family(name);
+    EXPECT_TRUE(family) << "RUNG_FAMILIES: no family " << name;
+    if (family) families.push_back(*family);
+  }
+  return families;
+}
+
+class Processors {
+ public:
+  Processors() {
+    const isa::Config& config = *isa::find_config("ecp5");
+    for (int mpu = 1; mpu <= 3; ++mpu) {
+      processors_[mpu - 1] = make_processor(static_cast<isa::Mpu>(mpu), config);
+    }
+  }
+
+  // The first difference on any processor, or what a pass of the compiler found wrong with another,
+  // or nothing. Counts programs that a processor's memories do not hold.
+  std::string run(const Case& one) {
+    try {
+      return run_all(one);
+    } catch (const std::logic_error& error) {
+      return fmt::format("seed {}: {}\n", one.seed, error.what());
+    }
+  }
+
+  int runs() const { return runs_; }
+  int refused() const { return refused_; }
+
+ private:
+  std::string run_all(const Case& one) {
+    for (const auto& processor : processors_) {
+      CompileOptions options;
+      options.mpu = processor->mpu();
+      options.config = &processor->config();
+      options.search.tries = 2;
+      Diagnostics diagnostics;
+      const auto compiled = compile(one.program, options, diagnostics);
+      if (!compiled) {
+        ++refused_;
+        continue;
+      }
+      ++runs_;
+      Machine machine(compiled->image, *processor, one.tick_us);
+      Lockstep lockstep(one.program, machine);
+      for (std::size_t scan = 0; scan < one.events.size(); ++scan) {
+        auto difference = lockstep.scan(one.events[scan]);
+        if (!difference && scan + 1 == one.events.size()) difference = lockstep.compare_state();
+        if (difference) {
+          return fmt::format("seed {}, MPU{}, tick {} us: {}", one.seed,
+                             static_cast<int>(options.mpu), one.tick_us, describe(*difference));
+        }
+      }
+    }
+    return {};
+  }
+
+  std::array<std::unique_ptr<Processor>, 3> processors_;
+  int runs_ = 0;
+  int refused_ = 0;
+};
+
+// Two tests, so that two cores share the programs.
+class RandomMelsec : public testing::TestWithParam<int> {
+ protected:
+  void check(std::uint64_t seed) {
+    const std::string text = text_of(seed, families_);
+    std::string messages;
+    const std::optional<Case> one = make_case(seed, text, messages);
+    ASSERT_TRUE(one) << "seed " << seed << ": the generator made a list that is refused\n"
+                     << messages << text;
+    const std::string found = processors_.run(*one);
+    if (found.empty()) return;
+    const auto difference_of = [&](const std::string& part) {
+      std::string ignored;
+      const std::optional<Case> smaller = make_case(seed, part, ignored, &*one);
+      return smaller ? processors_.run(*smaller) : std::string();
+    };
+    const std::string small =
+        shrink(text, [&](const std::string& part) { return !difference_of(part).empty(); });
+    const char* const families = std::getenv("RUNG_FAMILIES");
+    FAIL() << found
+           << "replay: " << (families == nullptr ? "" : fmt::format("RUNG_FAMILIES={} ", families))
+           << "RUNG_SEED=" << seed << " build/test/tb/agree/agree_processors\n"
+           << text << "the same with fewer lines: " << difference_of(small) << small;
+  }
+
+  std::vector<Family> families_ = families_of_environment();
+  Processors processors_;
+};
+
+TEST_P(RandomMelsec, ProcessorsAgree) {
+  if (std::getenv("RUNG_SEED") != nullptr) {
+    if (GetParam() == 0) check(from_environment("RUNG_SEED", 0));
+    return;
+  }
+  const std::uint64_t count = from_environment("RUNG_COUNT", kDefaultCount);
+  for (std::uint64_t seed = GetParam(); seed < count; seed += 2) {
+    check(seed);
+    if (HasFatalFailure()) return;
+  }
+  fmt::print("{} runs; {} programs too large for a processor\n", processors_.runs(),
+             processors_.refused());
+  // A few nest too deep for MPU1's stacks, or need more words than there are.
+  EXPECT_LT(processors_.refused() * 20, processors_.runs());
+}
+
+INSTANTIATE_TEST_SUITE_P(Halves, RandomMelsec, testing::Values(0, 1));
+
+}  // namespace
+}  // namespace rung::tb

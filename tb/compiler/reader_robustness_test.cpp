@@ -25,7 +25,7 @@ bool feed(const std::string& text, std::optional<Dialect> dialect, const std::st
   EXPECT_EQ(result.program.has_value(), result.messages.empty()) << result.messages << text;
   Diagnostics diagnostics;
   if (const auto source = decode_text(text, file, diagnostics)) {
-    const auto comments = parse_comments(*source, dialect.value_or(Dialect::Fx), diagnostics);
+    const auto comments = parse_comments(*source, dialect ? *dialect : Dialect::Fx, diagnostics);
     EXPECT_EQ(comments.has_value(), !diagnostics.has_errors()) << text;
   }
   if (!result.program) return false;

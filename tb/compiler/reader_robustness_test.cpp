@@ -10,6 +10,8 @@
 #include "melsec/instructions.hpp"
 #include "melsec/unsupported.hpp"
 #include "programs/random_source.hpp"
+#include "rungs/devices.hpp"
+#include "rungs/special.hpp"
 #include "support.hpp"
 
 namespace rung {
@@ -23,12 +25,17 @@ bool feed(const std::string& text, std::optional<Dialect> dialect, const std::st
   EXPECT_EQ(result.program.has_value(), result.messages.empty()) << result.messages << text;
   Diagnostics diagnostics;
   if (const auto source = decode_text(text, file, diagnostics)) {
-    const auto comments = parse_comments(*source, dialect.value_or(Dialect::Fx), diagnostics);
+    const auto comments = parse_comments(*source, dialect ? *dialect : Dialect::Fx, diagnostics);
     EXPECT_EQ(comments.has_value(), !diagnostics.has_errors()) << text;
   }
   if (!result.program) return false;
   EXPECT_FALSE(count(*result.program).run_lengths.size() > result.program->instructions.size());
-  named_devices(*result.program);
+  for (const Device device : named_devices(*result.program)) {
+    const DeviceRange* range = find_device_range(device.kind, result.program->dialect);
+    EXPECT_TRUE(find_special(device, result.program->dialect) != nullptr ||
+                (range != nullptr && device.number >= range->first && device.number <= range->last))
+        << device_name(device, result.program->dialect) << " of " << text;
+  }
   const ParseResult again = parse(to_list(*result.program), result.program->dialect);
   EXPECT_TRUE(again.program) << again.messages << text;
   if (again.program) {

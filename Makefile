@@ -13,6 +13,7 @@ SEEDS   ?= 1 2 3 4 5
 CONFIG  ?= ecp5
 PROGRAM ?=
 JOBS    ?= 2
+SECONDS ?= 600
 
 # What `make build` builds, into build/bin
 PROGRAMS := rung rung-samples
@@ -61,6 +62,13 @@ test: ## all tests, built with sanitizers
 	$(call cmake_build,build/test,-DCMAKE_BUILD_TYPE=RelWithDebInfo -DRUNG_SANITIZE=ON)
 	@$(CTEST) --test-dir build/test -j $(JOBS) --output-on-failure --no-tests=error \
 	  --output-log build/logs/test.log
+
+.PHONY: fuzz
+fuzz: ## fuzz the readers of files, SECONDS= for each; what is worth keeping goes to tb/fuzz/corpus
+	@scripts/setup.sh fuzz
+	$(call cmake_build,build/fuzz,-DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_CXX_COMPILER=clang++ \
+	  -DCMAKE_C_COMPILER=clang -DRUNG_SANITIZE=ON -DRUNG_FUZZ=ON,--target fuzzers)
+	@$(PYTHON) scripts/fuzz.py --seconds $(SECONDS) --jobs $(JOBS)
 
 .PHONY: lint
 lint: ## Verilator -Wall, verible, clang-format, the instruction set page

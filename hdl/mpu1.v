@@ -12,7 +12,9 @@ module mpu1 #(
     parameter WORD_DEVICES = 256,  // a power of two
     parameter MUL_DSP = 0,  // 1: MUL in multiplier blocks, 0: by iteration
     parameter MUL_LATENCY = 18,  // clocks until MUL can be collected, not less than muldiv.v says
-    parameter DIV_LATENCY = 19  // the same of DIV
+    parameter DIV_LATENCY = 19,  // the same of DIV
+    parameter MUL32_LATENCY = 34,  // of MULD
+    parameter DIV32_LATENCY = 37  // of DIVD
 ) (
     input  wire        clk_i,
     input  wire        rst_ni,
@@ -53,7 +55,9 @@ module mpu1 #(
       .WORD_DEVICES(WORD_DEVICES),
       .MUL_DSP(MUL_DSP),
       .MUL_LATENCY(MUL_LATENCY),
-      .DIV_LATENCY(DIV_LATENCY)
+      .DIV_LATENCY(DIV_LATENCY),
+      .MUL32_LATENCY(MUL32_LATENCY),
+      .DIV32_LATENCY(DIV32_LATENCY)
   ) core (
       .clk_i(clk_i),
       .rst_ni(rst_ni),

@@ -42,18 +42,22 @@ def address_bits(count):
     return max(1, (count - 1).bit_length())
 
 
-def slot_bits(layout, config, mpu):
-    """Width of one slot's instruction: opcode and the wider of the two formats."""
+def fields(layout, config, mpu):
+    """Where the parts of one slot's instruction begin, and how wide it is."""
     bit = address_bits(config["bit_devices"])
     word = address_bits(config["word_devices"])
-    bit_format = bit + 1 if mpu == "mpu1" else layout["row_bits"] + 3 * (bit + 1)
-    word_format = layout["word_bits"] + 2 * word + layout["kind_bits"] + 1
-    return layout["op_bits"] + max(bit_format, word_format)
+    operand = bit if mpu == "mpu1" else bit + 1
+    row = 0 if mpu == "mpu1" else layout["row_bits"]
+    destination = max(2 * (bit + 1), layout["word_bits"] + word)
+    tail = destination + max(operand, word)
+    opcode = tail + max(row, 1 + layout["kind_bits"])
+    return {"destination": destination, "tail": tail, "opcode": opcode,
+            "width": opcode + layout["op_bits"]}
 
 
 def parameters(config, mpu):
     """The RTL's parameters of one processor in one configuration."""
-    return {
+    out = {
         "STEPS": config[f"steps_{mpu}"],
         "BIT_DEVICES": config["bit_devices"],
         "WORD_DEVICES": config["word_devices"],
@@ -61,6 +65,10 @@ def parameters(config, mpu):
         "MUL_LATENCY": config["mul_latency"],
         "DIV_LATENCY": config["div_latency"],
     }
+    if mpu == "mpu1":  # the only one that waits for MULD and DIVD
+        out["MUL32_LATENCY"] = config["mul32_latency"]
+        out["DIV32_LATENCY"] = config["div32_latency"]
+    return out
 
 
 def verilog(isa, configs):
@@ -128,18 +136,31 @@ def page(isa, configs):
         gate = {"none": "", "exc": "exc", "unit": "unit"}[op["gate"]]
         out.append(f"| {op['name']} | {op['code']} | {on} | {op['format']} | {op['clocks']} | "
                    f"{gate} | {op['meaning']} |")
-    out += ["", "`clocks`: `one` is 1; `mul` and `div` are the configuration's latency and 1 more. On "
-            "MPU1, which has one bit operand, the device that OUT, SET and RST write is `a`.", "",
-            "## Layout of one slot's instruction, from its lowest bit", "",
+    out += ["", "`clocks`: `one` is 1; `mul`, `div`, `mul32` and `div32` are the configuration's "
+            "latency and 1 more. On MPU1, which has one bit operand, the bit device that an "
+            "instruction writes is `a`.", "",
+            "Each slot has, beside exc and its multiply-divide unit, a carry (or borrow), an "
+            "accumulator acc of 16 bits and the index ix. ADD and ADC set the carry to the sum's bit "
+            "16; SUB, SBC, CMP and LTU to the borrow, that is s1 < s2 (+ borrow), unsigned; they do so "
+            "whether they are executed or not, and no other instruction changes it. exc, carry and acc "
+            "are 0 when a scan begins. A device number in ix counts modulo the number of devices. An "
+            "instruction that uses ix stands index_latency clocks behind its IX, or later.", "",
+            "The 16-bit operations leave two words in the unit, for MVL and MVH, the 32-bit ones four, "
+            "for MVL, MVH, MV2 and MV3. The high operand words that LDH has set stay until the next "
+            "LDH, whatever the unit does meanwhile; a scan begins without any, and without an ix. "
+            "-2^15 / -1 is -2^15, -2^31 / -1 is -2^31, each with the remainder 0.", "",
+            "## Layout of one slot's instruction", "",
             "A bit operand is a device number and, above it, its N0 flag: the operand is then the "
             "slot's previous look-up result instead of the device. `u` makes a gated instruction "
-            "run always. Unused fields are 0.", "",
-            "| format | fields |", "|---|---|",
-            "| bit, MPU1 | a, u |",
-            f"| bit, slot | c, N0 of c, b, N0 of b, a, N0 of a, row ({layout['row_bits']} bits; "
-            "of SET and RST its lowest bit is u) |",
-            f"| word | source ({layout['word_bits']} bits: a constant or, in its low bits, a word "
-            f"device), rs, rd, kind ({layout['kind_bits']} bits), u |", "",
+            "run always; GET clears acc with it. Unused fields and bits are 0. All formats have what "
+            "they write at one place, and u at one place, so that neither needs a multiplexer.", "",
+            "| | lowest bit | bit, slot | bit, MPU1 | word | test |", "|---|---|---|---|---|---|",
+            f"| sources | 0 | a, N0 of a, b, N0 of b | | source ({layout['word_bits']} bits: a "
+            "constant or, in its low bits, a word device), rs | as word |",
+            "| destination | behind the longer of the sources | c, N0 of c | a | rd | c (MPU1: a) |",
+            f"| tail | behind the longest destination | row ({layout['row_bits']} bits; of SET, RST, "
+            "SETX, RSTX and GET its lowest bit is u) | u | "
+            f"u, kind ({layout['kind_bits']} bits) | as word |", "",
             "kind 0: s1 is device rs, s2 the device in source; 1: s1 is device rs, s2 the constant; "
             "2: s1 is the constant, s2 device rs. The opcode is in the top "
             f"{layout['op_bits']} bits. MPU3's step is slot 1 above slot 0.", "",
@@ -150,7 +171,12 @@ def page(isa, configs):
         out.append(f"| {key} | " + " | ".join(str(c[key]) for c in configs["config"].values()) + " |")
     for mpu in PROCESSORS:
         out.append(f"| bits of a slot's instruction, {mpu.upper()} | " + " | ".join(
-            str(slot_bits(layout, c, mpu)) for c in configs["config"].values()) + " |")
+            str(fields(layout, c, mpu)["width"]) for c in configs["config"].values()) + " |")
+    for mpu in ("mpu1", "mpu2"):  # MPU3's slots are like MPU2's
+        layout_of = {name: fields(layout, c, mpu) for name, c in configs["config"].items()}
+        for part in ("destination", "tail", "opcode"):
+            out.append(f"| lowest bit of {part}, {mpu.upper()} | " + " | ".join(
+                str(f[part]) for f in layout_of.values()) + " |")
     for key, value in configs["processor"].items():
         out.append(f"| {key} | " + " | ".join([str(value)] * len(configs["config"])) + " |")
     return "\n".join(out) + "\n"

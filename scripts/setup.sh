@@ -2,12 +2,13 @@
 # SPDX-License-Identifier: Apache-2.0
 # Install what a group of make targets needs, once, and say what is done.
 #
-# usage: setup.sh build|lint|flow|bench
+# usage: setup.sh build|lint|flow|bench|fuzz
 #
 #   build  C++ compiler, CMake, Verilator and the C++ libraries       (make build, sim, test)
 #   lint   build, clang-format and the Verilog linter                  (make lint)
 #   flow   Yosys and nextpnr in build/venv                             (make synth, pnr)
 #   bench  build, flow, and the RISC-V compiler for the yardsticks     (make bench, report)
+#   fuzz   build, and clang with libFuzzer                             (make fuzz)
 #
 # Debian packages are installed as root or through sudo, only those that are missing. The Python
 # environment is build/venv with the versions of requirements.txt; its stamp holds their checksum.
@@ -93,7 +94,7 @@ python_environment() {
   say "Python environment ready"
 }
 
-[ $# = 1 ] || fail "usage: setup.sh build|lint|flow|bench"
+[ $# = 1 ] || fail "usage: setup.sh build|lint|flow|bench|fuzz"
 case $1 in
   build) debian "${build_packages[@]}" ;;
   lint)
@@ -108,5 +109,6 @@ case $1 in
     debian "${build_packages[@]}" "${venv_packages[@]}" gcc-riscv64-unknown-elf
     python_environment
     ;;
-  *) fail "unknown group '$1': build, lint, flow or bench" ;;
+  fuzz) debian "${build_packages[@]}" clang libclang-rt-14-dev ;;
+  *) fail "unknown group '$1': build, lint, flow, bench or fuzz" ;;
 esac

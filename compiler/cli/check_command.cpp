@@ -9,13 +9,6 @@
 namespace rung::cli {
 namespace {
 
-std::optional<Dialect> dialect_of_header(const Trace& golden) {
-  for (const Dialect dialect : {Dialect::Paper, Dialect::Fx, Dialect::Q}) {
-    if (dialect_name(dialect) == golden.header.dialect) return dialect;
-  }
-  return std::nullopt;
-}
-
 // The last instruction that wrote the device in this scan, for the message.
 std::string writer_of(const tb::Machine& machine, const std::string& device) {
   const auto& writes = machine.writes();
@@ -47,23 +40,24 @@ int compare(const Options& options, const Trace& golden, const Stimulus& stimulu
 }  // namespace
 
 int check_command(const Options& options) {
-  tick_of(options);  // a program without timers runs the same at any tick; a bad one is refused
+  const auto asked_tick = tick_of(options);
   Diagnostics diagnostics;
   const auto bytes = read_bytes(options.golden, diagnostics);
   if (!bytes) return report(diagnostics);
   const auto golden = read_trace(*bytes, options.golden, diagnostics);
   if (!golden) return report(diagnostics);
-  auto input = read_input(options, true, dialect_of_header(*golden), diagnostics);
+  auto input = read_input(options, true, find_dialect(golden->header.dialect), diagnostics);
   if (!input) return report(diagnostics);
   const auto stimulus = options.stimulus.empty()
                             ? stimulus_of(*golden, input->dialect, options.golden, diagnostics)
                             : read_stimulus(options.stimulus, input->dialect, diagnostics);
   if (!stimulus) return report(diagnostics);
 
+  const std::int64_t tick_us = asked_tick.value_or(golden->header.tick_us);
   int code = kDone;
   std::string what = "the reference";
   if (!input->image && mpu_of(options) == 0) {
-    ReferenceRun run(*input->program, true);
+    ReferenceRun run(*input->program, true, tick_us);
     code = compare(
         options, *golden, *stimulus, false, [&](auto events) { return run.scan(events); },
         [](const std::string&) { return std::string(); });
@@ -73,7 +67,7 @@ int check_command(const Options& options) {
       if (!compiled) return report(diagnostics);
       input->image = std::move(compiled->image);
     }
-    const auto target = make_target(std::move(*input->image));
+    const auto target = make_target(std::move(*input->image), tick_us);
     const int mpu = static_cast<int>(target->image.mpu);
     what = fmt::format("MPU{}", mpu);
     tb::MachineRun run(*target->machine, true);

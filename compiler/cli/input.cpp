@@ -1,38 +1,46 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/input.hpp"
 
-#include <fmt/format.h>
-
 #include <filesystem>
 #include <iostream>
 
 #include "image/image_file.hpp"
-#include "melsec/list.hpp"
+#include "melsec/comments.hpp"
+#include "melsec/melsec.hpp"
 #include "melsec/paper.hpp"
 #include "source/text_file.hpp"
 
 namespace rung::cli {
 namespace {
 
+std::optional<std::map<Device, std::string>> read_comments(const std::string& file, Dialect dialect,
+                                                           Diagnostics& diagnostics) {
+  const auto bytes = read_bytes(file, diagnostics);
+  if (!bytes) return std::nullopt;
+  const auto text = decode_text(*bytes, file, diagnostics);
+  return text ? parse_comments(*text, dialect, diagnostics) : std::nullopt;
+}
+
 std::optional<Program> parse(std::string_view bytes, const Options& options,
                              std::optional<Dialect> dialect, Diagnostics& diagnostics) {
   const auto text = decode_text(bytes, options.program, diagnostics);
   if (!text) return std::nullopt;
-  auto program = parse_list(*text, dialect, diagnostics);
+  auto program = parse_melsec(*text, dialect, diagnostics);
   if (program && options.paper && !check_paper(*program, diagnostics)) return std::nullopt;
+  if (program && !options.comments.empty()) {
+    auto comments = read_comments(options.comments, program->dialect, diagnostics);
+    if (!comments) return std::nullopt;
+    program->comments = std::move(*comments);
+  }
   return program;
 }
 
 // Forms of programs that are not lists are told apart by their suffix.
 bool check_form(const std::string& file, Diagnostics& diagnostics) {
   const std::string suffix = std::filesystem::path(file).extension().string();
-  const char* form = suffix == ".ld"    ? "an LDmicro program"
-                     : suffix == ".csv" ? "a CSV export"
-                                        : nullptr;
-  if (form == nullptr) return true;
-  diagnostics.error(file, {},
-                    fmt::format("{} is {}, which this version does not read", suffix, form),
-                    "write the program as a plain instruction list");
+  if (suffix != ".ld") return true;
+  diagnostics.error(file, {}, ".ld is an LDmicro program, which this version does not read",
+                    "write the program as an instruction list");
   return false;
 }
 
@@ -47,13 +55,6 @@ void check_image_options(const Options& options, const image::Image& image) {
   if (!options.dialect.empty() && options.dialect != image.dialect) {
     throw UsageError("the image was compiled from dialect " + image.dialect);
   }
-}
-
-Dialect dialect_named(const std::string& name) {
-  for (const Dialect dialect : {Dialect::Paper, Dialect::Fx}) {
-    if (dialect_name(dialect) == name) return dialect;
-  }
-  return Dialect::Q;
 }
 
 }  // namespace
@@ -73,7 +74,7 @@ std::optional<Input> read_input(const Options& options, bool images,
     input.image = image::from_bytes(*bytes, options.program, diagnostics);
     if (!input.image) return std::nullopt;
     check_image_options(options, *input.image);
-    input.dialect = dialect_named(input.image->dialect);
+    input.dialect = *find_dialect(input.image->dialect);
     return input;
   }
   if (!check_form(options.program, diagnostics)) return std::nullopt;
@@ -107,12 +108,12 @@ std::optional<Stimulus> read_stimulus(const std::string& file, Dialect dialect,
   return text ? parse_stimulus(*text, dialect, diagnostics) : std::nullopt;
 }
 
-std::unique_ptr<Target> make_target(image::Image image) {
+std::unique_ptr<Target> make_target(image::Image image, std::int64_t tick_us) {
   auto target = std::make_unique<Target>();
   target->image = std::move(image);
   target->processor =
       tb::make_processor(target->image.mpu, *isa::find_config(target->image.config));
-  target->machine = std::make_unique<tb::Machine>(target->image, *target->processor);
+  target->machine = std::make_unique<tb::Machine>(target->image, *target->processor, tick_us);
   return target;
 }
 

@@ -46,6 +46,7 @@ struct Target {
   std::unique_ptr<tb::Processor> processor;
   std::unique_ptr<tb::Machine> machine;
 };
-std::unique_ptr<Target> make_target(image::Image image);
+// `tick_us` is the time from scan to scan.
+std::unique_ptr<Target> make_target(image::Image image, std::int64_t tick_us);
 
 }  // namespace rung::cli

@@ -16,11 +16,13 @@ std::vector<std::string> config_names() {
 }
 
 void define_common(CLI::App& command, Options& options) {
-  command.add_option("--dialect", options.dialect, "of a list; else the program decides")
+  command.add_option("--dialect", options.dialect, "of a list or CSV; else the program decides")
       ->check(CLI::IsMember({"paper", "fx", "q"}));
   command.add_option("--config", options.config, "memory sizes and latencies")
       ->check(CLI::IsMember(config_names()))
       ->capture_default_str();
+  command.add_option("--comments", options.comments,
+                     "device comments as CSV: names for traces, listings and messages");
 }
 
 void define_mpu(CLI::App& command, Options& options, bool with_reference) {
@@ -40,7 +42,7 @@ CLI::App* add_command(CLI::App& app, Options& options, Command which, const char
 void define_compile(CLI::App& app, Options& options) {
   CLI::App* command =
       add_command(app, options, Command::Compile, "compile", "compile a program for a processor");
-  command->add_option("PROGRAM", options.program, "instruction list; - is standard input")
+  command->add_option("PROGRAM", options.program, "instruction list or CSV export; - is standard input")
       ->required();
   define_common(*command, options);
   define_mpu(*command, options, false);
@@ -59,7 +61,7 @@ void define_compile(CLI::App& app, Options& options) {
 
 void define_run(CLI::App& app, Options& options) {
   CLI::App* command = add_command(app, options, Command::Run, "run", "run a program or an image");
-  command->add_option("PROGRAM", options.program, "instruction list or image")->required();
+  command->add_option("PROGRAM", options.program, "instruction list, CSV export or image")->required();
   define_common(*command, options);
   define_mpu(*command, options, true);
   command->add_flag("--paper", options.paper, "compile with the paper's instruction forms only");
@@ -74,7 +76,7 @@ void define_run(CLI::App& app, Options& options) {
 void define_check(CLI::App& app, Options& options) {
   CLI::App* command =
       add_command(app, options, Command::Check, "check", "run and compare with a golden trace");
-  command->add_option("PROGRAM", options.program, "instruction list or image")->required();
+  command->add_option("PROGRAM", options.program, "instruction list, CSV export or image")->required();
   define_common(*command, options);
   define_mpu(*command, options, true);
   command->add_flag("--paper", options.paper, "compile with the paper's instruction forms only");
@@ -86,7 +88,7 @@ void define_check(CLI::App& app, Options& options) {
 void define_translate(CLI::App& app, Options& options) {
   CLI::App* command =
       add_command(app, options, Command::Translate, "translate", "write a program in another form");
-  command->add_option("PROGRAM", options.program, "instruction list")->required();
+  command->add_option("PROGRAM", options.program, "instruction list or CSV export")->required();
   define_common(*command, options);
   command->add_option("--to", options.target, "c: ANSI C; il: normalised instruction list")
       ->required()
@@ -103,10 +105,7 @@ std::optional<Dialect> dialect_of(const Options& options) {
     }
     return Dialect::Paper;
   }
-  for (const Dialect dialect : {Dialect::Paper, Dialect::Fx, Dialect::Q}) {
-    if (dialect_name(dialect) == options.dialect) return dialect;
-  }
-  return std::nullopt;
+  return find_dialect(options.dialect);
 }
 
 const isa::Config& config_of(const Options& options) { return *isa::find_config(options.config); }

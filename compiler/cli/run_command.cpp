@@ -25,8 +25,8 @@ void keep(Session& session, TraceScan scan) {
 }
 
 void run_reference(const Program& program, bool state, Session& session) {
-  ReferenceRun run(program, state);
-  session.trace.header = run.header(session.tick_us);
+  ReferenceRun run(program, state, session.tick_us);
+  session.trace.header = run.header();
   for (std::uint64_t k = 0; k < session.scans; ++k) {
     keep(session, run.scan(session.stimulus.events(k)));
   }
@@ -35,7 +35,7 @@ void run_reference(const Program& program, bool state, Session& session) {
 // An image has no source to compare with: the processor alone.
 void run_image(tb::Machine& machine, bool state, Session& session) {
   tb::MachineRun run(machine, state);
-  session.trace.header = run.header(session.tick_us);
+  session.trace.header = run.header();
   for (std::uint64_t k = 0; k < session.scans; ++k) {
     keep(session, run.scan(session.stimulus.events(k)));
   }
@@ -48,6 +48,7 @@ std::string replay_command(const Options& options, std::int64_t scan) {
   if (!options.dialect.empty()) command += " --dialect " + options.dialect;
   if (options.paper) command += " --paper";
   if (!options.stimulus.empty()) command += " --stimulus " + options.stimulus;
+  if (!options.tick.empty()) command += " --tick " + options.tick;
   return command;
 }
 
@@ -56,7 +57,7 @@ int run_lockstep(const Program& program, tb::Machine& machine, const Options& op
                  Session& session) {
   tb::Lockstep lockstep(program, machine);
   tb::MachineRun run(machine, options.state);
-  session.trace.header = run.header(session.tick_us);
+  session.trace.header = run.header();
   for (std::uint64_t k = 0; k < session.scans; ++k) {
     const auto events = session.stimulus.events(k);
     auto difference = lockstep.scan(events);
@@ -98,7 +99,7 @@ int run_command(const Options& options) {
 
   std::string what;
   if (input->image) {
-    const auto target = make_target(std::move(*input->image));
+    const auto target = make_target(std::move(*input->image), session.tick_us);
     run_image(*target->machine, options.state, session);
     what = fmt::format("{} clocks each", target->image.clocks);
   } else if (mpu == 0) {
@@ -107,7 +108,7 @@ int run_command(const Options& options) {
   } else {
     auto compiled = compile_input(*input->program, options, diagnostics);
     if (!compiled) return report(diagnostics);
-    const auto target = make_target(std::move(compiled->image));
+    const auto target = make_target(std::move(compiled->image), session.tick_us);
     const int code = run_lockstep(*input->program, *target->machine, options, session);
     if (code != kDone) return code;
     what = fmt::format("{} clocks each, equal to the reference", target->image.clocks);

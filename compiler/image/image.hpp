@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/program.hpp"
 #include "isa/isa.hpp"
 #include "mapping/mapping.hpp"
 #include "rungs/program.hpp"
@@ -18,8 +19,15 @@ namespace rung::image {
 // A device that the program names, and where the processor keeps it.
 struct ImageDevice {
   std::string name;  // as traces write it
-  DeviceKind kind = DeviceKind::X;
-  int address = 0;  // in bit or word memory
+  Device device;
+  int address = 0;           // in bit or word memory
+  std::string comment = {};  // the name that a comment file gives it
+};
+
+// A word that gets the ticks since the last scan before each scan.
+struct ImageTicks {
+  int address = 0;
+  std::int64_t base_us = 0;
 };
 
 // A source instruction, for listings and messages.
@@ -48,22 +56,27 @@ struct Image {
   std::string config;
   std::vector<std::vector<isa::SlotInstruction>> steps;  // [step][slot]
   std::vector<std::vector<int>> origins;                 // [step][slot]: index into source, or -1
-  std::vector<std::uint8_t> lut;                         // function of each row, from row 0
-  std::vector<ImageDevice> devices;                      // X, Y, M, D, each by number
-  int first_temporary = 0;                               // bit addresses from here are temporaries
-  std::vector<SourceLine> source;                        // the instructions of the program
-  std::int64_t clocks = 0;  // of one scan, the pipeline's filling included
+  // [step][slot]: 1 where writing the value that is there already is no write, for traces.
+  std::vector<std::vector<std::uint8_t>> quiet;
+  std::vector<std::uint8_t> lut;     // function of each row, from row 0
+  std::vector<ImageDevice> devices;  // those that the program names, by kind and number
+  std::vector<ImageTicks> ticks;
+  int first_hidden_bit = 0;  // addresses from here are the compiler's own
+  int first_hidden_word = 0;
+  std::vector<SourceLine> source;  // the instructions of the program
+  std::int64_t clocks = 0;         // of one scan, the pipeline's filling included
   Statistics statistics;
 };
 
-// MPU1: one instruction of the source, one step (and one for the second word of MUL and DIV).
-Image assemble_mpu1(const Program& program, const isa::Config& config);
+// MPU1: the core instructions one after the other, each in as many steps as it takes.
+Image assemble_mpu1(const Program& source, const core::Program& program, const isa::Config& config);
 
 // MPU2 and MPU3: a schedule with addresses. False, and `image` unchanged, when the program needs
 // more than the LUT's rows; mapped without fused look-ups it never does (see order_inputs).
-bool assemble_slots(const Program& program, const mapping::Mapping& mapping,
-                    const schedule::Schedule& schedule, const schedule::Temporaries& temporaries,
-                    const isa::Config& config, isa::Mpu mpu, Image& image);
+bool assemble_slots(const Program& source, const core::Program& program,
+                    const mapping::Mapping& mapping, const schedule::Schedule& schedule,
+                    const schedule::Temporaries& temporaries, const isa::Config& config,
+                    isa::Mpu mpu, Image& image);
 
 // One instruction as text: with the paper's names for a row of Table 2 when `paper`, e.g.
 // "LD OR ANI X0 M0 X1"; else e.g. "LUTO 00110010 X0 X1 M0" with the row's function.

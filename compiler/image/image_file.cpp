@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "rungs/devices.hpp"
+
 namespace rung::image {
 namespace {
 
@@ -34,14 +36,6 @@ std::uint32_t checksum(std::string_view bytes) {
       crc32(0, reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uInt>(bytes.size())));
 }
 
-char kind_letter(DeviceKind kind) { return "XYMD"[static_cast<int>(kind)]; }
-
-DeviceKind kind_of(const std::string& letter) {
-  const auto at = std::string_view("XYMD").find(letter);
-  if (letter.size() != 1 || at == std::string_view::npos) throw std::runtime_error("device kind");
-  return static_cast<DeviceKind>(at);
-}
-
 json to_json(const Image& image) {
   const isa::Config& config = *isa::find_config(image.config);
   json out;
@@ -52,7 +46,7 @@ json to_json(const Image& image) {
   out["config"] = image.config;
   out["lut"] = image.lut;
   out["clocks"] = image.clocks;
-  out["first_temporary"] = image.first_temporary;
+  out["first_hidden"] = {image.first_hidden_bit, image.first_hidden_word};
   json steps = json::array();
   for (const auto& step : image.steps) {
     json words = json::array();
@@ -61,9 +55,13 @@ json to_json(const Image& image) {
   }
   out["steps"] = std::move(steps);
   out["origins"] = image.origins;
+  out["quiet"] = image.quiet;
+  json ticks = json::array();
+  for (const ImageTicks& each : image.ticks) ticks.push_back({each.address, each.base_us});
+  out["ticks"] = std::move(ticks);
   json devices = json::array();
   for (const ImageDevice& device : image.devices) {
-    devices.push_back({device.name, std::string(1, kind_letter(device.kind)), device.address});
+    devices.push_back({device.name, device.address, device.comment});
   }
   out["devices"] = std::move(devices);
   json source = json::array();
@@ -86,9 +84,11 @@ void check(const Image& image, const isa::Config& config) {
   require(static_cast<int>(image.steps.size()) <= config.steps(image.mpu), "number of steps");
   require(image.lut.size() <= isa::constant::lut_rows, "number of LUT rows");
   require(image.origins.size() == image.steps.size(), "origins");
+  require(image.quiet.size() == image.steps.size(), "quiet writes");
   for (std::size_t step = 0; step < image.steps.size(); ++step) {
     require(static_cast<int>(image.steps[step].size()) == isa::slots(image.mpu), "slots of a step");
     require(image.origins[step].size() == image.steps[step].size(), "origins of a step");
+    require(image.quiet[step].size() == image.steps[step].size(), "quiet writes of a step");
     for (const int origin : image.origins[step]) {
       require(origin >= -1 && origin < static_cast<int>(image.source.size()), "origin");
     }
@@ -96,17 +96,26 @@ void check(const Image& image, const isa::Config& config) {
       require(!mapping::is_lookup(slot.opcode) || slot.row < image.lut.size(), "LUT row");
     }
   }
+  const auto inside = [](int address, int size) { return address >= 0 && address < size; };
   for (const ImageDevice& device : image.devices) {
-    const int size = device.kind == DeviceKind::D ? config.word_devices : config.bit_devices;
-    require(device.address >= 0 && device.address < size, "device address");
+    const int size = is_word(device.device) ? config.word_devices : config.bit_devices;
+    require(inside(device.address, size), "device address");
   }
+  for (const ImageTicks& each : image.ticks) {
+    require(inside(each.address, config.word_devices), "address of ticks");
+    require(each.base_us > 0, "base of ticks");
+  }
+  const Statistics& s = image.statistics;
+  require(image.first_hidden_bit >= 0 && s.bit_devices <= config.bit_devices, "bit devices");
+  require(image.first_hidden_word >= 0 && s.word_devices <= config.word_devices, "word devices");
 }
 
 Image from_json(const json& in) {
   Image image;
   image.program = in.at("program").get<std::string>();
   image.dialect = in.at("dialect").get<std::string>();
-  require(image.dialect == "paper" || image.dialect == "fx" || image.dialect == "q", "dialect");
+  const auto dialect = find_dialect(image.dialect);
+  require(dialect.has_value(), "dialect");
   const int mpu = in.at("mpu").get<int>();
   require(mpu >= 1 && mpu <= 3, "processor");
   image.mpu = static_cast<isa::Mpu>(mpu);
@@ -116,7 +125,8 @@ Image from_json(const json& in) {
   require(config != nullptr, "configuration");
   image.lut = in.at("lut").get<std::vector<std::uint8_t>>();
   image.clocks = in.at("clocks").get<std::int64_t>();
-  image.first_temporary = in.at("first_temporary").get<int>();
+  image.first_hidden_bit = in.at("first_hidden").at(0).get<int>();
+  image.first_hidden_word = in.at("first_hidden").at(1).get<int>();
   for (const json& words : in.at("steps")) {
     auto& step = image.steps.emplace_back();
     for (const json& word : words) {
@@ -127,8 +137,15 @@ Image from_json(const json& in) {
   }
   image.origins = in.at("origins").get<std::vector<std::vector<int>>>();
   for (const json& device : in.at("devices")) {
-    image.devices.push_back({device.at(0).get<std::string>(),
-                             kind_of(device.at(1).get<std::string>()), device.at(2).get<int>()});
+    const auto name = device.at(0).get<std::string>();
+    const auto parsed = parse_device_name(name, *dialect);
+    require(parsed.has_value(), "device name");
+    image.devices.push_back(
+        {name, *parsed, device.at(1).get<int>(), device.at(2).get<std::string>()});
+  }
+  image.quiet = in.at("quiet").get<std::vector<std::vector<std::uint8_t>>>();
+  for (const json& each : in.at("ticks")) {
+    image.ticks.push_back({each.at(0).get<int>(), each.at(1).get<std::int64_t>()});
   }
   for (const json& line : in.at("source")) {
     image.source.push_back(

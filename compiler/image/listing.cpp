@@ -12,16 +12,16 @@ using isa::WordKind;
 
 std::string bit_name(int address, const Image& image) {
   for (const ImageDevice& device : image.devices) {
-    if (device.kind != DeviceKind::D && device.address == address) return device.name;
+    if (!is_word(device.device) && device.address == address) return device.name;
   }
-  return fmt::format("t{}", address - image.first_temporary);
+  return fmt::format("t{}", address - image.first_hidden_bit);
 }
 
 std::string word_name(int address, const Image& image) {
   for (const ImageDevice& device : image.devices) {
-    if (device.kind == DeviceKind::D && device.address == address) return device.name;
+    if (is_word(device.device) && device.address == address) return device.name;
   }
-  return fmt::format("w{}", address);
+  return fmt::format("w{}", address - image.first_hidden_word);
 }
 
 std::string operand(const isa::BitOperand& operand, const Image& image) {
@@ -55,16 +55,51 @@ std::string word_operands(const SlotInstruction& instruction, const Image& image
       second = rs;
       break;
   }
-  return instruction.opcode == Opcode::Mv ? second : first + " " + second;
+  return instruction.opcode == Opcode::Mv || instruction.opcode == Opcode::Stx
+             ? second
+             : first + " " + second;
+}
+
+// MULS and their kin leave their result in the unit, CMP, LDH and IX something in the slot.
+bool has_word_target(Opcode opcode) {
+  switch (opcode) {
+    case Opcode::Muls:
+    case Opcode::Divs:
+    case Opcode::Mulds:
+    case Opcode::Divds:
+    case Opcode::Cmp:
+    case Opcode::Ldh:
+    case Opcode::Ix:
+    case Opcode::Stx:
+      return false;
+    default:
+      return true;
+  }
 }
 
 std::string word_instruction(const SlotInstruction& instruction, const Image& image) {
-  std::string text(isa::info(instruction.opcode).name);
-  if (isa::info(instruction.opcode).gate != isa::Gate::Unit) {
-    text += " " + word_operands(instruction, image);
+  const isa::OpcodeInfo& info = isa::info(instruction.opcode);
+  std::string text(info.name);
+  if (instruction.opcode == Opcode::Ix) {
+    return text + fmt::format(" {} {}", word_name(instruction.rs, image), instruction.source);
   }
-  if (instruction.opcode != Opcode::Muls && instruction.opcode != Opcode::Divs) {
+  const bool has_sources = info.gate != isa::Gate::Unit && instruction.opcode != Opcode::Mva &&
+                           instruction.opcode != Opcode::Mvx;
+  if (has_sources) text += " " + word_operands(instruction, image);
+  if (info.format == isa::Format::Test) {
+    const bool mpu1 = image.mpu == isa::Mpu::Mpu1;
+    text += " " + bit_name(mpu1 ? instruction.a.device : instruction.c.device, image);
+  } else if (has_word_target(instruction.opcode)) {
     text += " " + word_name(instruction.rd, image);
+  }
+  return instruction.always ? text + " always" : text;
+}
+
+std::string get(const SlotInstruction& instruction, const Image& image) {
+  std::string text = instruction.always ? "GET clear" : "GET";
+  if (image.mpu == isa::Mpu::Mpu1) return text + " " + bit_name(instruction.a.device, image);
+  for (const isa::BitOperand& bit : {instruction.a, instruction.b, instruction.c}) {
+    text += bit.n0 ? " 0" : " " + bit_name(bit.device, image);
   }
   return text;
 }
@@ -88,8 +123,21 @@ std::string disassemble(const SlotInstruction& instruction, const Image& image) 
     case isa::Format::None:
       return std::string(info.name);
     case isa::Format::Word:
+    case isa::Format::Test:
       return word_instruction(instruction, image);
     case isa::Format::Bit:
+      break;
+  }
+  switch (instruction.opcode) {
+    case Opcode::Get:
+      return get(instruction, image);
+    case Opcode::Ldx:
+    case Opcode::Setx:
+    case Opcode::Rstx:
+      return std::string(info.name);
+    case Opcode::Mvbx:
+      return fmt::format("{} {}", info.name, bit_name(instruction.c.device, image));
+    default:
       break;
   }
   const bool writes = instruction.opcode == Opcode::Out || instruction.opcode == Opcode::Set ||

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "isa/isa.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cassert>
@@ -30,6 +31,19 @@ int address_bits(int count) {
   return count <= 2 ? 1 : std::bit_width(static_cast<unsigned>(count - 1));
 }
 
+// Where the parts of one slot's instruction begin (hdl/isa/README.md, "Layout").
+struct Layout {
+  Layout(Mpu mpu, const Config& config)
+      : bit(address_bits(config.bit_devices)), word(address_bits(config.word_devices)) {
+    const bool slot = mpu != Mpu::Mpu1;
+    destination = std::max(2 * (bit + 1), constant::word_bits + word);
+    tail = destination + std::max(slot ? bit + 1 : bit, word);
+    opcode = tail + std::max(slot ? constant::row_bits : 0, 1 + constant::kind_bits);
+  }
+  int bit, word;  // bits of a device number
+  int destination, tail, opcode;
+};
+
 // Packs fields from bit 0 up, or takes them apart in the same order: the layout stands once.
 class Packer {
  public:
@@ -50,6 +64,8 @@ class Packer {
     field(operand.device, width);
     field(operand.n0, 1);
   }
+  // The next field begins at `bit`.
+  void at(int bit) { at_ = bit; }
   std::uint64_t bits() const { return bits_; }
 
  private:
@@ -58,38 +74,53 @@ class Packer {
   int at_ = 0;
 };
 
-bool unconditional_bit(Opcode opcode) {
-  return info(opcode).format == Format::Bit && info(opcode).gate == Gate::Exc;
+// Bit instructions whose flag stands where a look-up has its row.
+bool has_flag(Opcode opcode) { return info(opcode).gate == Gate::Exc || opcode == Opcode::Get; }
+
+void bit_body(Packer& packer, SlotInstruction& instruction, Mpu mpu, const Layout& layout) {
+  if (mpu == Mpu::Mpu1) {
+    packer.at(layout.destination);
+    packer.field(instruction.a.device, layout.bit);
+    packer.at(layout.tail);
+    packer.field(instruction.always, 1);
+    return;
+  }
+  packer.operand(instruction.a, layout.bit);
+  packer.operand(instruction.b, layout.bit);
+  packer.at(layout.destination);
+  packer.operand(instruction.c, layout.bit);
+  packer.at(layout.tail);
+  if (has_flag(instruction.opcode)) {
+    packer.field(instruction.always, 1);
+  } else {
+    packer.field(instruction.row, constant::row_bits);
+  }
 }
 
-void body(Packer& packer, SlotInstruction& instruction, Mpu mpu, const Config& config) {
-  const int bit = address_bits(config.bit_devices);
-  const int word = address_bits(config.word_devices);
+void word_body(Packer& packer, SlotInstruction& instruction, Mpu mpu, const Layout& layout) {
+  packer.field(instruction.source, constant::word_bits);
+  packer.field(instruction.rs, layout.word);
+  packer.at(layout.destination);
+  if (info(instruction.opcode).format == Format::Test) {
+    packer.field((mpu == Mpu::Mpu1 ? instruction.a : instruction.c).device, layout.bit);
+  } else {
+    packer.field(instruction.rd, layout.word);
+  }
+  packer.at(layout.tail);
+  packer.field(instruction.always, 1);
+  packer.field(instruction.kind, constant::kind_bits);
+}
+
+void body(Packer& packer, SlotInstruction& instruction, Mpu mpu, const Layout& layout) {
   switch (info(instruction.opcode).format) {
     case Format::None:
       break;
     case Format::Bit:
-      if (mpu == Mpu::Mpu1) {
-        packer.field(instruction.a.device, bit);
-        packer.field(instruction.always, 1);
-        break;
-      }
-      packer.operand(instruction.c, bit);
-      packer.operand(instruction.b, bit);
-      packer.operand(instruction.a, bit);
-      if (unconditional_bit(instruction.opcode)) {
-        packer.field(instruction.always, constant::row_bits);
-      } else {
-        packer.field(instruction.row, constant::row_bits);
-      }
+      bit_body(packer, instruction, mpu, layout);
       break;
     case Format::Test:
     case Format::Word:
-      packer.field(instruction.source, constant::word_bits);
-      packer.field(instruction.rs, word);
-      packer.field(instruction.rd, word);
-      packer.field(instruction.kind, constant::kind_bits);
-      packer.field(instruction.always, 1);
+      word_body(packer, instruction, mpu, layout);
       break;
   }
 }
@@ -149,31 +180,27 @@ const Config* find_config(std::string_view name) {
 }
 
 int slot_bits(Mpu mpu, const Config& config) {
-  const int bit = address_bits(config.bit_devices);
-  const int bit_format = mpu == Mpu::Mpu1 ? bit + 1 : constant::row_bits + 3 * (bit + 1);
-  const int word_format =
-      constant::word_bits + 2 * address_bits(config.word_devices) + constant::kind_bits + 1;
-  return constant::op_bits + std::max(bit_format, word_format);
+  return Layout(mpu, config).opcode + constant::op_bits;
 }
 
 std::uint64_t encode(const SlotInstruction& instruction, Mpu mpu, const Config& config) {
+  const Layout layout(mpu, config);
   SlotInstruction copy = instruction;
   Packer packer(0, false);
-  body(packer, copy, mpu, config);
-  const int top = slot_bits(mpu, config) - constant::op_bits;
-  return packer.bits() | static_cast<std::uint64_t>(instruction.opcode) << top;
+  body(packer, copy, mpu, layout);
+  return packer.bits() | static_cast<std::uint64_t>(instruction.opcode) << layout.opcode;
 }
 
 std::optional<SlotInstruction> decode(std::uint64_t bits, Mpu mpu, const Config& config) {
-  const int top = slot_bits(mpu, config) - constant::op_bits;
-  const auto code = static_cast<std::size_t>(bits >> top);
+  const Layout layout(mpu, config);
+  const auto code = static_cast<std::size_t>(bits >> layout.opcode);
   for (const OpcodeInfo& entry : kOpcodes) {
     if (static_cast<std::size_t>(entry.opcode) != code) continue;
     if (!(mpu == Mpu::Mpu1 ? entry.on_mpu1 : entry.on_slot)) return std::nullopt;
     SlotInstruction instruction;
     instruction.opcode = entry.opcode;
-    Packer packer(bits & ((std::uint64_t{1} << top) - 1), true);
-    body(packer, instruction, mpu, config);
+    Packer packer(bits & ((std::uint64_t{1} << layout.opcode) - 1), true);
+    body(packer, instruction, mpu, layout);
     // A bit outside the fields, or a kind that does not exist, is not an instruction.
     if (static_cast<int>(instruction.kind) > 2) return std::nullopt;
     if (encode(instruction, mpu, config) != bits) return std::nullopt;

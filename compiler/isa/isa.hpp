@@ -87,15 +87,16 @@ enum class WordKind : std::uint8_t { Devices = 0, DeviceConstant = 1, ConstantDe
 // One slot's instruction as fields. Fields that its format does not have are 0.
 struct SlotInstruction {
   Opcode opcode = Opcode::Nop;
-  // bit format; MPU1 uses only `a`, for what it reads and for what it writes
+  // bit format; MPU1 uses only `a`, for what it reads and for what it writes. A test writes the bit
+  // device `c` too (MPU1: `a`), beside its word sources.
   std::uint8_t row = 0;
   BitOperand a, b, c;
-  // word format
+  // word format; a test has no rd
   std::uint16_t rd = 0;
   std::uint16_t rs = 0;
   std::uint16_t source = 0;  // a constant, or a word device (see WordKind)
   WordKind kind = WordKind::Devices;
-  // SET, RST and word format: run even if exc is 0
+  // instructions that exc gates: run even if it is 0; GET: clear acc first
   bool always = false;
   bool operator==(const SlotInstruction&) const = default;
 };

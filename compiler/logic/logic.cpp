@@ -11,6 +11,9 @@
 namespace rung::logic {
 namespace {
 
+using core::Instruction;
+using core::Op;
+using core::Program;
 using WriterMap = std::map<Device, std::vector<Version>>;
 
 class Builder {
@@ -23,7 +26,7 @@ class Builder {
       blocks_.clear();
       branches_.clear();
       leaves_.clear();
-      const Network& network = program_.networks[n];
+      const core::Network& network = program_.networks[n];
       for (std::size_t i = 0; i < network.count; ++i) execute(network.first + i);
     }
     logic_.writers.assign(writers_.begin(), writers_.end());
@@ -40,23 +43,30 @@ class Builder {
       case Op::Ld:
       case Op::Ldi:
         blocks_.push_back(result_);
-        result_ = literal(instruction.device, instruction.op == Op::Ldi);
+        result_ = literal(instruction.targets[0], instruction.op == Op::Ldi);
         break;
       case Op::And:
       case Op::Ani:
-        result_ =
-            gate(NodeKind::And, result_, literal(instruction.device, instruction.op == Op::Ani));
+        result_ = gate(NodeKind::And, result_,
+                       literal(instruction.targets[0], instruction.op == Op::Ani));
         break;
       case Op::Or:
       case Op::Ori:
         result_ =
-            gate(NodeKind::Or, result_, literal(instruction.device, instruction.op == Op::Ori));
+            gate(NodeKind::Or, result_, literal(instruction.targets[0], instruction.op == Op::Ori));
         break;
       case Op::Anb:
       case Op::Orb:
         assert(!blocks_.empty());
         result_ =
             gate(instruction.op == Op::Anb ? NodeKind::And : NodeKind::Or, blocks_.back(), result_);
+        blocks_.pop_back();
+        break;
+      case Op::Inv:
+        result_ = inverse(result_);
+        break;
+      case Op::Pop:
+        result_ = blocks_.back();
         blocks_.pop_back();
         break;
       case Op::Mps:
@@ -110,6 +120,16 @@ class Builder {
     return add(node);
   }
 
+  NodeId inverse(NodeId of) {
+    assert(of != kNoNode);
+    if (logic_.nodes[of].kind == NodeKind::NotLeaf) return logic_.nodes[of].left;
+    Node node;
+    node.kind = logic_.nodes[of].kind == NodeKind::Leaf ? NodeKind::NotLeaf : NodeKind::Not;
+    node.left = of;
+    ++logic_.nodes[of].uses;
+    return add(node);
+  }
+
   NodeId gate(NodeKind kind, NodeId left, NodeId right) {
     assert(left != kNoNode && right != kNoNode);
     Node node;
@@ -127,23 +147,23 @@ class Builder {
 
   void act(const Instruction& instruction, std::size_t index) {
     Action action;
-    // RST of a word device moves 0 to it.
-    const bool clears = instruction.op == Op::Rst && is_word(instruction.device);
-    action.op = clears ? Op::Mov : instruction.op;
-    action.condition = result_;
-    action.target = instruction.device;
-    action.double_width = instruction.double_width;
+    action.op = instruction.op;
+    action.targets = instruction.targets;
+    action.head = instruction.head;
+    action.quiet = instruction.quiet;
     action.instruction = index;
     action.network = network_;
-    if (!is_bit_action(action.op) && instruction.op != Op::Rst) {
-      action.operands = {operand(instruction.sources[0]), operand(instruction.sources[1])};
+    for (const WordSource& source : instruction.sources) action.operands.push_back(operand(source));
+    for (const Device device : instruction.reads) action.reads.push_back({device, version(device)});
+    if (!instruction.always) {
+      action.condition = result_;
+      if (conditions_.size() < logic_.nodes.size()) conditions_.resize(logic_.nodes.size());
+      if (!conditions_[result_]) ++logic_.nodes[result_].uses;
+      conditions_[result_] = true;
     }
-    if (conditions_.size() < logic_.nodes.size()) conditions_.resize(logic_.nodes.size());
-    if (!conditions_[result_]) ++logic_.nodes[result_].uses;
-    conditions_[result_] = true;
     const Version number = epoch();
-    logic_.actions.push_back(action);
-    for (const Device device : written(action)) writers_[device].push_back(number);
+    for (const Device device : action.targets) writers_[device].push_back(number);
+    logic_.actions.push_back(std::move(action));
   }
 
   const Program& program_;
@@ -162,12 +182,6 @@ std::string version_name(Version version) {
 }
 
 }  // namespace
-
-std::vector<Device> written(const Action& action) {
-  std::vector<Device> devices{action.target};
-  if (action.double_width) devices.push_back({action.target.kind, action.target.number + 1});
-  return devices;
-}
 
 namespace {
 
@@ -195,18 +209,19 @@ std::int32_t Logic::overwritten(Device device, Version version) const {
   return next == versions->end() ? kNever : *next;
 }
 
-Logic build(const Program& program) { return Builder(program).build(); }
+Logic build(const core::Program& program) { return Builder(program).build(); }
 
-std::string dump(const Logic& logic, const Program& program) {
+std::string dump(const Logic& logic, const core::Program& program, Dialect dialect) {
   std::string out;
-  const auto name = [&](Device device) { return device_name(device, program.dialect); };
   for (std::size_t i = 0; i < logic.nodes.size(); ++i) {
     const Node& node = logic.nodes[i];
     switch (node.kind) {
       case NodeKind::Leaf:
-        out += fmt::format("n{} = {}@{}\n", i, name(node.device), version_name(node.version));
+        out += fmt::format("n{} = {}@{}\n", i, device_name(node.device, dialect),
+                           version_name(node.version));
         break;
       case NodeKind::NotLeaf:
+      case NodeKind::Not:
         out += fmt::format("n{} = not n{}\n", i, node.left);
         break;
       default:
@@ -216,8 +231,10 @@ std::string dump(const Logic& logic, const Program& program) {
   }
   for (std::size_t i = 0; i < logic.actions.size(); ++i) {
     const Action& action = logic.actions[i];
-    out += fmt::format("a{}: if n{}: {}\n", i, action.condition,
-                       program.instructions[action.instruction].text);
+    const std::string what = core::to_string(program.instructions[action.instruction], dialect);
+    out += action.condition == kNoNode
+               ? fmt::format("a{}: {}\n", i, what)
+               : fmt::format("a{}: if n{}: {}\n", i, action.condition, what);
   }
   return out;
 }

@@ -11,9 +11,11 @@
 #include <string>
 #include <vector>
 
-#include "rungs/program.hpp"
+#include "core/program.hpp"
 
 namespace rung::logic {
+
+using core::WordSource;
 
 using NodeId = std::int32_t;
 inline constexpr NodeId kNoNode = -1;
@@ -24,13 +26,13 @@ using Version = std::int32_t;
 inline constexpr Version kStart = -1;
 inline constexpr std::int32_t kNever = std::numeric_limits<std::int32_t>::max();
 
-enum class NodeKind : std::uint8_t { Leaf, NotLeaf, And, Or };
+enum class NodeKind : std::uint8_t { Leaf, NotLeaf, Not, And, Or };
 
 struct Node {
   NodeKind kind = NodeKind::Leaf;
   Device device;             // Leaf
   Version version = kStart;  // Leaf
-  NodeId left = kNoNode;     // And, Or; the leaf of NotLeaf
+  NodeId left = kNoNode;     // And, Or; the leaf of NotLeaf, the gate of Not
   NodeId right = kNoNode;    // And, Or
   std::int32_t epoch = 0;    // actions executed before the contact that made this node
   std::int32_t uses = 0;     // parents and, once, being some action's condition
@@ -38,26 +40,30 @@ struct Node {
   std::size_t instruction = 0;  // the source instruction that made it
 };
 
-inline bool is_bit_action(Op op) { return op >= Op::Out && op <= Op::Rst; }
-
 // A word operand with the version of the device that it reads.
 struct Operand {
   WordSource source;
   Version version = kStart;
 };
 
+// Another device that is read, with its version.
+struct Read {
+  Device device;
+  Version version = kStart;
+};
+
 // One output instruction. Its number in Logic::actions is the Version that it writes.
 struct Action {
-  Op op = Op::Out;  // RST of a word is the MOV that it is
-  NodeId condition = kNoNode;
-  Device target;
-  bool double_width = false;        // Mul, Div: also writes the device after `target`
-  std::array<Operand, 2> operands;  // Move has one
-  std::size_t instruction = 0;      // index into Program::instructions
+  core::Op op = core::Op::Out;
+  NodeId condition = kNoNode;  // kNoNode: it always runs
+  std::vector<Device> targets;
+  std::vector<Operand> operands;
+  std::vector<Read> reads;  // bits of a Gather; the window of an indexed load
+  Device head;              // of an indexed operation
+  bool quiet = false;
+  std::size_t instruction = 0;  // index into core::Program::instructions
   std::int32_t network = 0;
 };
-// Devices that the action writes: one, or two.
-std::vector<Device> written(const Action& action);
 
 struct Logic {
   std::vector<Node> nodes;
@@ -73,10 +79,10 @@ struct Logic {
   std::vector<std::pair<Device, std::vector<Version>>> writers;  // by device, in program order
 };
 
-// Executes `program` symbolically; its structure has been checked (rungs/).
-Logic build(const Program& program);
+// Executes `program` symbolically.
+Logic build(const core::Program& program);
 
 // One line a node and an action, for --dump logic and for tests.
-std::string dump(const Logic& logic, const Program& program);
+std::string dump(const Logic& logic, const core::Program& program, Dialect dialect);
 
 }  // namespace rung::logic

@@ -135,7 +135,7 @@ class Coverer {
   static constexpr int kInfeasible = std::numeric_limits<int>::max();
 
   static bool is_gate(const Node& node) {
-    return node.kind == NodeKind::And || node.kind == NodeKind::Or;
+    return node.kind == NodeKind::And || node.kind == NodeKind::Or || node.kind == NodeKind::Not;
   }
   const Node& node(std::size_t i) const { return logic_.nodes[first_ + i]; }
   bool boundary(NodeId id) const { return cover_.boundary[id - first_]; }
@@ -151,6 +151,7 @@ class Coverer {
       case NodeKind::Leaf:
         return logic_.overwritten(n.device, n.version);
       case NodeKind::NotLeaf:
+      case NodeKind::Not:
         return of(n.left);
       default:
         return std::min(of(n.left), of(n.right));
@@ -166,6 +167,7 @@ class Coverer {
         // Children first: once one is kept, what is above it lives on.
         if (is_gate(node(i))) {
           for (const NodeId child : {node(i).left, node(i).right}) {
+            if (child == kNoNode) continue;
             const std::size_t at = child - first_;
             if (!fixed[at] && node(i).epoch > last_[at]) fixed[at] = changed = true;
           }
@@ -229,6 +231,10 @@ class Coverer {
         cuts.push_back(signal_cut(static_cast<NodeId>(first_ + i), false));
       } else if (n.kind == NodeKind::NotLeaf) {
         cuts.push_back(signal_cut(n.left, true));
+      } else if (n.kind == NodeKind::Not) {
+        cuts = inputs(n.left, n.epoch);
+        for (Cut& cut : cuts) cut.function = static_cast<std::uint8_t>(~cut.function);
+        if (cuts.empty()) return kInfeasible;
       } else {
         const auto lefts = inputs(n.left, n.epoch);
         const auto rights = inputs(n.right, n.epoch);

@@ -4,11 +4,10 @@
 #include <algorithm>
 #include <cassert>
 
-#include "rungs/fold.hpp"
-
 namespace rung::mapping {
 namespace {
 
+using core::Op;
 using isa::Opcode;
 using logic::Action;
 using logic::Operand;
@@ -20,39 +19,224 @@ Operand constant(std::int16_t value) {
   return operand;
 }
 
-Destination to_device(Device device, std::int32_t version) {
-  Destination destination;
-  destination.kind = Destination::Kind::Device;
-  destination.device = device;
-  destination.version = version;
-  return destination;
-}
+// The operations of one action, one after the other in their unit.
+class ActionWriter {
+ public:
+  ActionWriter(Mapping& mapping, Unit& unit, const logic::Logic& logic, std::int32_t action,
+               OpId condition, bool split_muldiv)
+      : mapping_(mapping),
+        unit_(unit),
+        source_(logic.actions[action]),
+        number_(action),
+        condition_(condition),
+        split_(split_muldiv) {}
 
-Opcode bit_opcode(Op op) {
-  switch (op) {
-    case Op::Set:
-      return Opcode::Set;
-    case Op::Rst:
-      return Opcode::Rst;
-    default:
-      return Opcode::Out;
+  void write() {
+    switch (source_.op) {
+      case Op::Out:
+        return write_one(Opcode::Out);
+      case Op::Set:
+        return write_one(Opcode::Set);
+      case Op::Rst:
+        return write_one(Opcode::Rst);
+      case Op::Mov:
+        return write_word(Opcode::Mv, constant(0), operand(0));
+      case Op::Add:
+        return write_word(Opcode::Add, operand(0), operand(1));
+      case Op::Sub:
+        return write_word(Opcode::Sub, operand(0), operand(1));
+      case Op::Wand:
+        return write_word(Opcode::Wand, operand(0), operand(1));
+      case Op::Wor:
+        return write_word(Opcode::Wor, operand(0), operand(1));
+      case Op::Wxor:
+        return write_word(Opcode::Wxor, operand(0), operand(1));
+      case Op::Rol:
+        return write_word(Opcode::Rol, operand(0), operand(1));
+      case Op::Minu:
+        return write_word(Opcode::Minu, operand(0), operand(1));
+      case Op::Eq:
+        return write_word(Opcode::Eq, operand(0), operand(1));
+      case Op::Lt:
+        return write_word(Opcode::Lt, operand(0), operand(1));
+      case Op::Ltu:
+        return write_word(Opcode::Ltu, operand(0), operand(1));
+      case Op::Tb:
+        return write_word(Opcode::Tb, operand(0), operand(1));
+      case Op::Lt32:
+        silent(Opcode::Cmp, operand(0), operand(2));
+        return write_word(Opcode::Ltc, operand(1), operand(3));
+      case Op::Add32:
+      case Op::Sub32:
+        return write_wide();
+      case Op::Mul:
+      case Op::Div:
+      case Op::Mul32:
+      case Op::Div32:
+        return write_muldiv();
+      case Op::Gather:
+        return gather();
+      case Op::LoadWord:
+      case Op::LoadBit:
+      case Op::StoreWord:
+      case Op::SetBit:
+      case Op::RstBit:
+        return indexed();
+      default:
+        assert(false && "not an output");
+    }
   }
-}
 
-Opcode word_opcode(Op op, bool split) {
-  switch (op) {
-    case Op::Add:
-      return Opcode::Add;
-    case Op::Sub:
-      return Opcode::Sub;
-    case Op::Mul:
-      return split ? Opcode::Muls : Opcode::Mul;
-    case Op::Div:
-      return split ? Opcode::Divs : Opcode::Div;
-    default:
-      return Opcode::Mv;
+ private:
+  const Operand& operand(std::size_t i) const { return source_.operands.at(i); }
+
+  MappedOp make(Opcode opcode) const {
+    MappedOp op;
+    op.opcode = opcode;
+    op.instruction = source_.instruction;
+    op.action = number_;
+    op.quiet = source_.quiet;
+    // Every gated operation says under which exc it runs, or that it runs under any.
+    op.always = source_.condition == logic::kNoNode;
+    op.condition = op.always ? kNoOp : condition_;
+    return op;
   }
-}
+
+  Destination target(std::size_t i) const {
+    Destination destination;
+    destination.kind = Destination::Kind::Device;
+    destination.device = source_.targets.at(i);
+    destination.version = number_;
+    return destination;
+  }
+
+  OpId write_one(Opcode opcode, std::size_t to) {
+    MappedOp op = make(opcode);
+    op.destination = target(to);
+    return append(mapping_, unit_, std::move(op));
+  }
+  void write_one(Opcode opcode) { write_one(opcode, 0); }
+
+  OpId word(Opcode opcode, const Operand& first, const Operand& second, Destination to) {
+    MappedOp op = make(opcode);
+    op.operands = {first, second};
+    op.destination = to;
+    return append(mapping_, unit_, std::move(op));
+  }
+  void write_word(Opcode opcode, const Operand& first, const Operand& second) {
+    word(opcode, first, second, target(0));
+  }
+  // An operation that changes only the slot's own registers: it runs whatever exc is.
+  void silent(Opcode opcode, const Operand& first, const Operand& second) {
+    MappedOp op = make(opcode);
+    op.operands = {first, second};
+    op.always = false;
+    op.condition = kNoOp;
+    op.action = -1;
+    append(mapping_, unit_, std::move(op));
+  }
+
+  void write_wide() {
+    const bool add = source_.op == Op::Add32;
+    word(add ? Opcode::Add : Opcode::Sub, operand(0), operand(2), target(0));
+    word(add ? Opcode::Adc : Opcode::Sbc, operand(1), operand(3), target(1));
+  }
+
+  Opcode muldiv_opcode() const {
+    switch (source_.op) {
+      case Op::Mul:
+        return split_ ? Opcode::Muls : Opcode::Mul;
+      case Op::Div:
+        return split_ ? Opcode::Divs : Opcode::Div;
+      case Op::Mul32:
+        return Opcode::Mulds;  // the slots' unit of 32 bits has no waiting form
+      default:
+        return Opcode::Divds;
+    }
+  }
+
+  void write_muldiv() {
+    const bool wide = source_.op == Op::Mul32 || source_.op == Op::Div32;
+    if (wide) silent(Opcode::Ldh, operand(1), operand(3));
+    const Opcode opcode = muldiv_opcode();
+    const bool waits = opcode == Opcode::Mul || opcode == Opcode::Div;
+    const OpId start =
+        word(opcode, operand(0), operand(wide ? 2 : 1), waits ? target(0) : Destination{});
+    const Opcode collectors[] = {Opcode::Mvl, Opcode::Mvh, Opcode::Mv2, Opcode::Mv3};
+    for (std::size_t i = waits ? 1 : 0; i < source_.targets.size(); ++i) {
+      MappedOp collector = make(collectors[i]);
+      collector.destination = target(i);
+      collector.started_by = start;
+      collector.always = false;
+      collector.condition = kNoOp;
+      mapping_.ops.push_back(std::move(collector));
+      unit_.collectors.push_back(static_cast<OpId>(mapping_.ops.size()) - 1);
+    }
+  }
+
+  // Three bits an operation, the highest first; acc then is the word.
+  void gather() {
+    const auto count = static_cast<int>(source_.reads.size());
+    const int places = (count + 2) / 3 * 3;
+    for (int top = places - 1; top >= 0; top -= 3) {
+      MappedOp op = make(Opcode::Get);
+      op.action = -1;
+      op.condition = kNoOp;
+      op.always = top == places - 1;
+      for (int i = 0; i < 3; ++i) {
+        if (top - i >= count) continue;
+        const logic::Read& read = source_.reads[static_cast<std::size_t>(top - i)];
+        op.inputs[static_cast<std::size_t>(i)] = {BitValue::Kind::Device, read.device, read.version,
+                                                  -1};
+      }
+      append(mapping_, unit_, std::move(op));
+    }
+    write_one(Opcode::Mva);
+  }
+
+  void indexed() {
+    MappedOp index = make(Opcode::Ix);
+    index.always = false;
+    index.condition = kNoOp;
+    index.action = -1;
+    index.operands = {operand(0), constant(0)};
+    index.head = source_.head;
+    append(mapping_, unit_, std::move(index));
+    MappedOp op = make(index_opcode());
+    if (source_.op == Op::LoadWord || source_.op == Op::LoadBit) {
+      op.reads = source_.reads;
+      op.destination = target(0);
+    } else {
+      op.window = source_.targets;
+      op.destination.kind = Destination::Kind::Window;
+      op.destination.version = number_;
+      if (source_.op == Op::StoreWord) op.operands = {constant(0), operand(1)};
+    }
+    append(mapping_, unit_, std::move(op));
+  }
+
+  Opcode index_opcode() const {
+    switch (source_.op) {
+      case Op::LoadWord:
+        return Opcode::Mvx;
+      case Op::LoadBit:
+        return Opcode::Mvbx;
+      case Op::StoreWord:
+        return Opcode::Stx;
+      case Op::SetBit:
+        return Opcode::Setx;
+      default:
+        return Opcode::Rstx;
+    }
+  }
+
+  Mapping& mapping_;
+  Unit& unit_;
+  const Action& source_;
+  std::int32_t number_;
+  OpId condition_;
+  bool split_;
+};
 
 bool reads(const BitValue& value, const Destination& destination) {
   return destination.kind == Destination::Kind::Device && value.kind == BitValue::Kind::Device &&
@@ -85,66 +269,9 @@ OpId append(Mapping& mapping, Unit& unit, MappedOp op) {
   return id;
 }
 
-bool is_muldiv(Op op) { return op == Op::Mul || op == Op::Div; }
-
 void append_action(Mapping& mapping, Unit& unit, const logic::Logic& logic, std::int32_t action,
                    OpId condition, bool split_muldiv) {
-  const Action& source = logic.actions[action];
-  MappedOp op;
-  op.condition = condition;
-  op.instruction = source.instruction;
-  op.action = action;
-  op.destination = to_device(source.target, action);
-  if (logic::is_bit_action(source.op)) {
-    op.opcode = bit_opcode(source.op);
-    append(mapping, unit, op);
-    return;
-  }
-  const Device second{source.target.kind, source.target.number + 1};
-  op.operands = source.operands;
-  if (source.op == Op::Mov) {
-    op.opcode = Opcode::Mv;
-    op.operands = {constant(0), source.operands[0]};
-    append(mapping, unit, op);
-    return;
-  }
-  if (op.operands[0].source.constant && op.operands[1].source.constant) {
-    const auto result = fold(source.op, op.operands[0].source.value, op.operands[1].source.value);
-    if (result) {
-      op.opcode = Opcode::Mv;
-      op.operands = {constant(0), constant(result->low)};
-      append(mapping, unit, op);
-      if (source.double_width) {
-        op.operands[1] = constant(result->high);
-        op.destination = to_device(second, action);
-        append(mapping, unit, op);
-      }
-      return;
-    }
-    // A constant by 0 writes nothing, whatever the dividend; an instruction has one constant.
-    op.operands[0].source.constant = false;
-    op.operands[0].source.device = source.target;
-    op.operands[0].version = kAnyVersion;
-  }
-  op.opcode = word_opcode(source.op, split_muldiv);
-  if (!is_muldiv(source.op)) {
-    append(mapping, unit, op);
-    return;
-  }
-  if (split_muldiv) op.destination = {};
-  const OpId start = append(mapping, unit, op);
-  const auto collect = [&](Opcode opcode, Device target) {
-    MappedOp collector;
-    collector.opcode = opcode;
-    collector.destination = to_device(target, action);
-    collector.started_by = start;
-    collector.instruction = source.instruction;
-    collector.action = action;
-    mapping.ops.push_back(collector);
-    unit.collectors.push_back(static_cast<OpId>(mapping.ops.size()) - 1);
-  };
-  if (split_muldiv) collect(Opcode::Mvl, source.target);
-  if (source.double_width) collect(Opcode::Mvh, second);
+  ActionWriter(mapping, unit, logic, action, condition, split_muldiv).write();
 }
 
 bool can_write(const std::array<BitValue, 3>& inputs, const Destination& destination) {

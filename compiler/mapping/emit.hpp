@@ -10,11 +10,10 @@ namespace rung::mapping {
 OpId append(Mapping& mapping, Unit& unit, MappedOp op);
 
 // Appends the operations of action number `action` under the exc that operation `condition`
-// computed. A MUL or DIV's collectors go to `unit.collectors`. Two constants are folded here.
+// computed, or under none if it always runs. What the multiply-divide unit leaves is collected by
+// operations in `unit.collectors`.
 void append_action(Mapping& mapping, Unit& unit, const logic::Logic& logic, std::int32_t action,
                    OpId condition, bool split_muldiv);
-
-bool is_muldiv(Op kind);
 
 // A look-up with these inputs can also write `destination`: its third port is the one that reads
 // the destination, so it must be free, N0, or the destination's own value.

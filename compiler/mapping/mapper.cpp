@@ -22,6 +22,7 @@ class NetworkMapper {
       : logic_(logic),
         options_(options),
         mapping_(mapping),
+        actions_(actions),
         plan_(logic, nodes, actions, mapping.temporaries) {}
 
   // Adds the network's units to the mapping.
@@ -34,6 +35,11 @@ class NetworkMapper {
       auto operator<=>(const Task&) const = default;
     };
     std::vector<Task> tasks;
+    for (std::int32_t a = actions_.first; a < actions_.end; ++a) {
+      // What always runs is a unit of its own, after whatever must be looked up before it.
+      if (logic_.actions[a].condition == logic::kNoNode)
+        tasks.push_back({a, true, logic::kNoNode, 0});
+    }
     for (const auto& [id, kept] : plan_.kept()) {
       for (std::size_t s = 0; s < kept.segments.size(); ++s) {
         tasks.push_back({kept.segments[s].position, s > 0, id, s});
@@ -41,7 +47,11 @@ class NetworkMapper {
     }
     std::sort(tasks.begin(), tasks.end());
     for (const Task& task : tasks) {
-      if (task.segment == 0) {
+      if (task.node == logic::kNoNode) {
+        Unit unit;
+        append_action(mapping_, unit, logic_, task.position, kNoOp, options_.split_muldiv);
+        mapping_.units.push_back(std::move(unit));
+      } else if (task.segment == 0) {
         emit_first(task.node);
       } else {
         emit_restored(plan_.kept().at(task.node), task.segment);
@@ -106,19 +116,20 @@ class NetworkMapper {
 
   bool fuse(OpId lookup, std::int32_t action) {
     const Action& source = logic_.actions[action];
-    if (!logic::is_bit_action(source.op)) return false;
+    if (!core::is_coil(source.op)) return false;
     MappedOp& op = mapping_.ops[lookup];
     Destination destination;
     destination.kind = Destination::Kind::Device;
-    destination.device = source.target;
+    destination.device = source.targets[0];
     destination.version = action;
     if (!can_write(op.inputs, destination)) return false;
     op.destination = destination;
     op.action = action;
+    op.quiet = source.quiet;
     op.instruction = source.instruction;  // it is known by its coil
-    op.opcode = source.op == Op::Out   ? isa::Opcode::Luto
-                : source.op == Op::Set ? isa::Opcode::Luts
-                                       : isa::Opcode::Lutr;
+    op.opcode = source.op == core::Op::Out   ? isa::Opcode::Luto
+                : source.op == core::Op::Set ? isa::Opcode::Luts
+                                             : isa::Opcode::Lutr;
     return true;
   }
 
@@ -227,13 +238,14 @@ class NetworkMapper {
   const Logic& logic_;
   const Options& options_;
   Mapping& mapping_;
+  Range actions_;
   NetworkPlan plan_;
   std::map<NodeId, std::size_t> unit_of_;  // kept values that have been computed
 };
 
 }  // namespace
 
-Mapping map_logic(const Logic& logic, const Program& program, const Options& options) {
+Mapping map_logic(const Logic& logic, const core::Program& program, const Options& options) {
   Mapping mapping;
   Range nodes;
   Range actions;

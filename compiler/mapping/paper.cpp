@@ -8,30 +8,30 @@ namespace rung::mapping {
 namespace {
 
 // Table 2's code of a contact that is not the first of its look-up.
-int later_code(Op op) {
+int later_code(core::Op op) {
   switch (op) {
-    case Op::And:
+    case core::Op::And:
       return 1;
-    case Op::Ani:
+    case core::Op::Ani:
       return 2;
-    case Op::Or:
+    case core::Op::Or:
       return 3;
     default:
-      assert(op == Op::Ori);
+      assert(op == core::Op::Ori);
       return 4;
   }
 }
 
 class PaperMapper {
  public:
-  PaperMapper(const logic::Logic& logic, const Program& program, bool keep_nops)
+  PaperMapper(const logic::Logic& logic, const core::Program& program, bool keep_nops)
       : logic_(logic), program_(program), keep_nops_(keep_nops) {}
 
   Mapping map() {
     for (std::size_t i = 0; i < program_.instructions.size(); ++i) {
-      const Instruction& instruction = program_.instructions[i];
+      const core::Instruction& instruction = program_.instructions[i];
       if (is_contact(instruction.op)) {
-        const bool first = instruction.op == Op::Ld || instruction.op == Op::Ldi;
+        const bool first = instruction.op == core::Op::Ld || instruction.op == core::Op::Ldi;
         if (first) {
           flush();
           close();
@@ -40,7 +40,7 @@ class PaperMapper {
         continue;
       }
       flush();
-      if (instruction.op == Op::Nop) {
+      if (instruction.op == core::Op::Nop) {
         if (!keep_nops_) continue;
         MappedOp nop;
         nop.instruction = i;
@@ -58,7 +58,7 @@ class PaperMapper {
   BitValue contact(std::size_t index) const {
     BitValue value;
     value.kind = BitValue::Kind::Device;
-    value.device = program_.instructions[index].device;
+    value.device = program_.instructions[index].targets[0];
     value.version = logic_.current(value.device, epoch_);
     return value;
   }
@@ -71,9 +71,9 @@ class PaperMapper {
       op.opcode = isa::Opcode::Lut;
       op.inputs.fill({BitValue::Kind::N0, {}, logic::kStart, -1});
       op.instruction = run_[at];
-      const Op head = program_.instructions[run_[at]].op;
-      const bool loads = head == Op::Ld || head == Op::Ldi;
-      std::array<int, 3> codes{loads && head == Op::Ldi ? 1 : 0, 0, 0};
+      const core::Op head = program_.instructions[run_[at]].op;
+      const bool loads = head == core::Op::Ld || head == core::Op::Ldi;
+      std::array<int, 3> codes{loads && head == core::Op::Ldi ? 1 : 0, 0, 0};
       int place = 0;
       if (loads)
         op.inputs[place++] = contact(run_[at++]);
@@ -96,7 +96,7 @@ class PaperMapper {
   }
 
   const logic::Logic& logic_;
-  const Program& program_;
+  const core::Program& program_;
   bool keep_nops_;
   Mapping mapping_;
   Unit unit_;
@@ -107,7 +107,7 @@ class PaperMapper {
 
 }  // namespace
 
-Mapping map_paper(const logic::Logic& logic, const Program& program, bool keep_nops) {
+Mapping map_paper(const logic::Logic& logic, const core::Program& program, bool keep_nops) {
   return PaperMapper(logic, program, keep_nops).map();
 }
 

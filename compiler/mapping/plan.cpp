@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "mapping/emit.hpp"
-
 namespace rung::mapping {
 
 using logic::Action;
@@ -14,10 +12,13 @@ using logic::NodeKind;
 
 namespace {
 
-bool reads_word(const Action& action, Device device) {
-  return std::any_of(action.operands.begin(), action.operands.end(), [&](const auto& operand) {
-    return !operand.source.constant && operand.source.device == device;
-  });
+bool action_reads(const Action& action, Device device) {
+  return std::any_of(action.operands.begin(), action.operands.end(),
+                     [&](const auto& operand) {
+                       return !operand.source.constant && operand.source.device == device;
+                     }) ||
+         std::any_of(action.reads.begin(), action.reads.end(),
+                     [&](const logic::Read& read) { return read.device == device; });
 }
 
 }  // namespace
@@ -27,6 +28,7 @@ NetworkPlan::NetworkPlan(const logic::Logic& logic, Range nodes, Range actions,
     : logic_(logic), nodes_(nodes), actions_(actions) {
   std::vector<std::pair<NodeId, std::int32_t>> conditions;
   for (std::int32_t a = actions.first; a < actions.end; ++a) {
+    if (logic.actions[a].condition == logic::kNoNode) continue;
     conditions.emplace_back(logic.actions[a].condition, a);
   }
   cover_ = cover_network(logic, nodes.first, nodes.end - nodes.first, conditions);
@@ -50,7 +52,8 @@ bool NetworkPlan::is_inner(NodeId id) const {
 void NetworkPlan::find_latest() {
   latest_.assign(nodes_.end - nodes_.first, 0);
   for (std::int32_t a = actions_.end; a-- > actions_.first;) {
-    latest_[logic_.actions[a].condition - nodes_.first] = a;
+    const NodeId condition = logic_.actions[a].condition;
+    if (condition != logic::kNoNode) latest_[condition - nodes_.first] = a;
   }
   for (NodeId id = nodes_.end; id-- > nodes_.first;) {
     std::int32_t& own = latest_[id - nodes_.first];
@@ -94,29 +97,27 @@ std::int32_t NetworkPlan::cone_lifetime(NodeId id) const {
 bool NetworkPlan::condition_reads(NodeId id, Device device) const {
   const Node& n = node(id);
   if (n.kind == NodeKind::Leaf) return n.device == device;
-  if (condition_reads(n.left, device)) return true;
-  return n.kind != NodeKind::NotLeaf && condition_reads(n.right, device);
+  return condition_reads(n.left, device) ||
+         (n.right != logic::kNoNode && condition_reads(n.right, device));
 }
 
 // Action `later` may run before action `earlier` (whose condition may not even be known yet).
 bool NetworkPlan::may_pass(std::int32_t later, std::int32_t earlier) const {
   const Action& x = logic_.actions[later];
   const Action& j = logic_.actions[earlier];
-  const auto targets = logic::written(j);
-  for (const Device device : logic::written(x)) {
-    if (std::find(targets.begin(), targets.end(), device) != targets.end()) return false;
-    if (is_word(device) ? reads_word(j, device) : condition_reads(j.condition, device)) {
-      return false;
-    }
+  for (const Device device : x.targets) {
+    if (std::find(j.targets.begin(), j.targets.end(), device) != j.targets.end()) return false;
+    if (action_reads(j, device)) return false;
+    if (j.condition != logic::kNoNode && condition_reads(j.condition, device)) return false;
   }
-  return std::none_of(targets.begin(), targets.end(),
-                      [&](Device device) { return is_word(device) && reads_word(x, device); });
+  return std::none_of(j.targets.begin(), j.targets.end(),
+                      [&](Device device) { return action_reads(x, device); });
 }
 
 bool NetworkPlan::joins(const Segment& segment, std::int32_t action) const {
-  const bool muldiv = is_muldiv(logic_.actions[action].op);
+  const bool muldiv = core::is_muldiv(logic_.actions[action].op);
   const auto collides = [&](std::int32_t member) {
-    return is_muldiv(logic_.actions[member].op) && (muldiv || !may_pass(action, member));
+    return core::is_muldiv(logic_.actions[member].op) && (muldiv || !may_pass(action, member));
   };
   const auto is_member = [&](std::int32_t a) {
     return std::find(segment.actions.begin(), segment.actions.end(), a) != segment.actions.end();
@@ -153,8 +154,8 @@ void NetworkPlan::split_segments(NodeId id, Kept& kept) {
 bool NetworkPlan::kept_by_coil(const Kept& kept, BitValue& value) const {
   const auto& actions = kept.segments.front().actions;
   for (const std::int32_t action : actions) {
-    if (logic_.actions[action].op != Op::Out) continue;
-    const Device device = logic_.actions[action].target;
+    if (logic_.actions[action].op != core::Op::Out) continue;
+    const Device device = logic_.actions[action].targets[0];
     const std::int32_t end = logic_.overwritten(device, action);
     // An action of the same segment that writes it again does so before any reader.
     if (std::find(actions.begin(), actions.end(), end) != actions.end()) continue;
@@ -202,7 +203,7 @@ NodeId NetworkPlan::chain_owner(NodeId reader, NodeId id) const {
 bool NetworkPlan::has_muldiv(const Kept& kept) const {
   const auto& actions = kept.segments.front().actions;
   return std::any_of(actions.begin(), actions.end(),
-                     [&](std::int32_t a) { return is_muldiv(logic_.actions[a].op); });
+                     [&](std::int32_t a) { return core::is_muldiv(logic_.actions[a].op); });
 }
 
 // The reader can follow in the same unit: nothing else of the program stands between the two.

@@ -22,7 +22,7 @@ using Word = std::uint64_t;
 
 class Checker {
  public:
-  Checker(const Mapping& mapping, const Logic& logic, const Program& program)
+  Checker(const Mapping& mapping, const Logic& logic, const core::Program& program)
       : mapping_(mapping), logic_(logic), program_(program) {}
 
   std::string run() {
@@ -35,12 +35,13 @@ class Checker {
       known_.assign(mapping_.ops.size(), false);
       for (std::size_t i = 0; i < mapping_.ops.size(); ++i) {
         const MappedOp& op = mapping_.ops[i];
-        if (op.action < 0 || isa::info(op.opcode).gate == isa::Gate::Unit) continue;
+        if (op.action < 0 || isa::info(op.opcode).gate == isa::Gate::Unit || op.always) continue;
         const OpId source = is_lookup(op.opcode) ? static_cast<OpId>(i) : op.condition;
         const Word expected = nodes_[logic_.actions[op.action].condition];
         if (value(source) != expected) {
-          return fmt::format("op {}: the condition of '{}' is not what its contacts say", i,
-                             program_.instructions[op.instruction].text);
+          return fmt::format(
+              "op {}: the condition of core instruction {} is not what its contacts say", i,
+              op.instruction);
         }
       }
     }
@@ -58,7 +59,8 @@ class Checker {
         ++seen[id];
         previous_exc_[id] = exc;
         if (isa::info(op.opcode).gate == isa::Gate::Exc || op.opcode == isa::Opcode::Out) {
-          if (op.condition != exc) return fmt::format("op {}: runs under a foreign condition", id);
+          if (!op.always && op.condition != exc)
+            return fmt::format("op {}: runs under a foreign condition", id);
         }
         if (writes_exc(op.opcode)) exc = id;
         if (op.destination.kind == Destination::Kind::Temporary) {
@@ -80,43 +82,62 @@ class Checker {
     std::set<std::pair<std::int32_t, Device>> done;
     for (std::size_t i = 0; i < mapping_.ops.size(); ++i) {
       const MappedOp& op = mapping_.ops[i];
-      if (op.destination.kind != Destination::Kind::Device) continue;
-      if (op.action < 0 || op.destination.version != op.action ||
-          !done.emplace(op.action, op.destination.device).second) {
-        return fmt::format("op {}: writes for no action, or a second time", i);
+      std::vector<Device> written = op.window;
+      if (op.destination.kind == Destination::Kind::Device) written = {op.destination.device};
+      for (const Device device : written) {
+        if (op.action < 0 || op.destination.version != op.action ||
+            !done.emplace(op.action, device).second) {
+          return fmt::format("op {}: writes for no action, or a second time", i);
+        }
       }
     }
     std::size_t expected = 0;
     for (std::size_t a = 0; a < logic_.actions.size(); ++a) {
-      for (const Device device : logic::written(logic_.actions[a])) {
+      for (const Device device : logic_.actions[a].targets) {
         ++expected;
         if (done.count({static_cast<std::int32_t>(a), device}) == 0) {
-          return fmt::format("action {}: nothing writes {}", a,
-                             device_name(device, program_.dialect));
+          return fmt::format("action {}: nothing writes {}{}", a, kind_name(device), device.number);
         }
       }
     }
     return done.size() == expected ? std::string() : "an operation writes what no action writes";
   }
 
+  static std::string kind_name(Device device) {
+    return fmt::format("kind {} number ", static_cast<int>(device.kind));
+  }
+
   std::string check_bound() const {
     std::vector<int> lookups(program_.networks.size(), 0);
     for (const MappedOp& op : mapping_.ops) {
       if (!is_lookup(op.opcode)) continue;
-      const auto after =
-          std::upper_bound(program_.networks.begin(), program_.networks.end(), op.instruction,
-                           [](std::size_t i, const Network& network) { return i < network.first; });
+      const auto after = std::upper_bound(
+          program_.networks.begin(), program_.networks.end(), op.instruction,
+          [](std::size_t i, const core::Network& network) { return i < network.first; });
       ++lookups[after - program_.networks.begin() - 1];
     }
     for (std::size_t n = 0; n < lookups.size(); ++n) {
+      if (!is_plain(program_.networks[n])) continue;
       const int bound = lookup_bound(program_, program_.networks[n]);
       if (lookups[n] > bound) {
-        const SourcePosition at = program_.instructions[program_.networks[n].first].position;
-        return fmt::format("the rung at line {}: {} look-ups where the formula allows {}", at.line,
-                           lookups[n], bound);
+        return fmt::format("rung {}: {} look-ups where the formula allows {}", n, lookups[n],
+                           bound);
       }
     }
     return {};
+  }
+
+  // The paper's formula speaks of rungs of contacts and outputs, not of what lowering makes of
+  // others.
+  bool is_plain(const core::Network& network) const {
+    const auto first = program_.instructions.begin() + static_cast<std::ptrdiff_t>(network.first);
+    return std::none_of(first, first + static_cast<std::ptrdiff_t>(network.count),
+                        [](const core::Instruction& instruction) {
+                          return instruction.always || instruction.op == core::Op::Inv ||
+                                 instruction.op == core::Op::Pop ||
+                                 std::any_of(instruction.targets.begin(), instruction.targets.end(),
+                                             [](Device d) { return is_hidden(d.kind); });
+                        });
   }
 
   // Random values for what the scan starts with; what actions write follows from them.
@@ -126,14 +147,15 @@ class Checker {
     std::size_t action = 0;
     const auto act = [&](std::size_t a) {
       const auto& source = logic_.actions[a];
-      if (!logic::is_bit_action(source.op)) return;
+      if (!core::is_coil(source.op)) return;
+      const Device target = source.targets[0];
       const auto number = static_cast<Version>(a);
       const Word condition = nodes_[source.condition];
-      const Word before = bit(source.target, logic_.current(source.target, number));
-      const Word after = source.op == Op::Out   ? condition
-                         : source.op == Op::Set ? before | condition
-                                                : before & ~condition;
-      bits_[{source.target, number}] = after;
+      const Word before = bit(target, logic_.current(target, number));
+      const Word after = source.op == core::Op::Out   ? condition
+                         : source.op == core::Op::Set ? before | condition
+                                                      : before & ~condition;
+      bits_[{target, number}] = after;
     };
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       const logic::Node& node = logic_.nodes[i];
@@ -143,6 +165,7 @@ class Checker {
           nodes_[i] = bit(node.device, node.version);
           break;
         case NodeKind::NotLeaf:
+        case NodeKind::Not:
           nodes_[i] = ~nodes_[node.left];
           break;
         case NodeKind::And:
@@ -199,7 +222,7 @@ class Checker {
 
   const Mapping& mapping_;
   const Logic& logic_;
-  const Program& program_;
+  const core::Program& program_;
   std::vector<OpId> previous_exc_;
   std::map<std::int32_t, OpId> temporary_;
   std::map<std::pair<Device, Version>, Word> bits_;
@@ -218,7 +241,7 @@ bool is_lookup(isa::Opcode opcode) {
 
 bool writes_exc(isa::Opcode opcode) { return is_lookup(opcode) || opcode == isa::Opcode::Ld; }
 
-std::string verify(const Mapping& mapping, const Logic& logic, const Program& program) {
+std::string verify(const Mapping& mapping, const Logic& logic, const core::Program& program) {
   return Checker(mapping, logic, program).run();
 }
 

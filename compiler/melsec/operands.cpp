@@ -137,6 +137,8 @@ std::string_view kind_name(DeviceKind kind) {
     case DeviceKind::W:
     case DeviceKind::SW:
     case DeviceKind::R:
+    case DeviceKind::HB:
+    case DeviceKind::HW:
       break;
   }
   return "a word";

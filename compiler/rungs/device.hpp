@@ -31,6 +31,7 @@ enum class DeviceKind : std::uint8_t {
   TS,   // contacts of timers
   STS,  // contacts of retentive timers (q)
   CS,   // contacts of counters
+  HB,   // of the lowering: memories of edges, temporaries; no program names them
   // words
   D,
   W,    // link registers (q)
@@ -43,8 +44,10 @@ enum class DeviceKind : std::uint8_t {
   STN,  // values of retentive timers (q)
   CN,   // values of counters; of a 32-bit counter the low word
   CNH,  // high words of 32-bit counters (fx C200 to C234)
+  HW,   // of the lowering: ticks, temporaries
 };
-inline constexpr int kDeviceKinds = static_cast<int>(DeviceKind::CNH) + 1;
+inline constexpr int kDeviceKinds = static_cast<int>(DeviceKind::HW) + 1;
+inline bool is_hidden(DeviceKind kind) { return kind == DeviceKind::HB || kind == DeviceKind::HW; }
 
 struct Device {
   DeviceKind kind = DeviceKind::X;

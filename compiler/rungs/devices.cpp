@@ -17,19 +17,19 @@ using enum DeviceKind;
 // is by users of Mitsubishi's controllers, so its devices are those of fx. q: what a QnU CPU has
 // before its parameters are changed; of retentive timers, which it then lacks, as many as timers.
 constexpr DeviceRange kRanges[] = {
-    {Dialect::Paper, X, 8, 0377},   {Dialect::Paper, Y, 8, 0377},   {Dialect::Paper, M, 10, 7679},
+    {Dialect::Paper, X, 8, 0377},     {Dialect::Paper, Y, 8, 0377}, {Dialect::Paper, M, 10, 7679},
     {Dialect::Paper, D, 10, 7999},  //
-    {Dialect::Fx, X, 8, 0377},      {Dialect::Fx, Y, 8, 0377},      {Dialect::Fx, M, 10, 7679},
-    {Dialect::Fx, S, 10, 4095},     {Dialect::Fx, TS, 10, 511},     {Dialect::Fx, CS, 10, 234},
-    {Dialect::Fx, D, 10, 7999},     {Dialect::Fx, R, 10, 32767},    {Dialect::Fx, V, 10, 7},
-    {Dialect::Fx, Z, 10, 7},        {Dialect::Fx, TN, 10, 511},     {Dialect::Fx, CN, 10, 234},
+    {Dialect::Fx, X, 8, 0377},        {Dialect::Fx, Y, 8, 0377},    {Dialect::Fx, M, 10, 7679},
+    {Dialect::Fx, S, 10, 4095},       {Dialect::Fx, TS, 10, 511},   {Dialect::Fx, CS, 10, 234},
+    {Dialect::Fx, D, 10, 7999},       {Dialect::Fx, R, 10, 32767},  {Dialect::Fx, V, 10, 7},
+    {Dialect::Fx, Z, 10, 7},          {Dialect::Fx, TN, 10, 511},   {Dialect::Fx, CN, 10, 234},
     {Dialect::Fx, CNH, 10, 234, 200},  //
-    {Dialect::Q, X, 16, 0x1FFF},    {Dialect::Q, Y, 16, 0x1FFF},    {Dialect::Q, M, 10, 8191},
-    {Dialect::Q, L, 10, 8191},      {Dialect::Q, F, 10, 2047},      {Dialect::Q, B, 16, 0x1FFF},
-    {Dialect::Q, SB, 16, 0x7FF},    {Dialect::Q, S, 10, 8191},      {Dialect::Q, TS, 10, 2047},
-    {Dialect::Q, STS, 10, 2047},    {Dialect::Q, CS, 10, 1023},     {Dialect::Q, D, 10, 12287},
-    {Dialect::Q, W, 16, 0x1FFF},    {Dialect::Q, SW, 16, 0x7FF},    {Dialect::Q, R, 10, 32767},
-    {Dialect::Q, Z, 10, 19},        {Dialect::Q, TN, 10, 2047},     {Dialect::Q, STN, 10, 2047},
+    {Dialect::Q, X, 16, 0x1FFF},      {Dialect::Q, Y, 16, 0x1FFF},  {Dialect::Q, M, 10, 8191},
+    {Dialect::Q, L, 10, 8191},        {Dialect::Q, F, 10, 2047},    {Dialect::Q, B, 16, 0x1FFF},
+    {Dialect::Q, SB, 16, 0x7FF},      {Dialect::Q, S, 10, 8191},    {Dialect::Q, TS, 10, 2047},
+    {Dialect::Q, STS, 10, 2047},      {Dialect::Q, CS, 10, 1023},   {Dialect::Q, D, 10, 12287},
+    {Dialect::Q, W, 16, 0x1FFF},      {Dialect::Q, SW, 16, 0x7FF},  {Dialect::Q, R, 10, 32767},
+    {Dialect::Q, Z, 10, 19},          {Dialect::Q, TN, 10, 2047},   {Dialect::Q, STN, 10, 2047},
     {Dialect::Q, CN, 10, 1023},
 };
 
@@ -41,9 +41,9 @@ constexpr TimerRange kTimers[] = {
 };
 
 // In the order of DeviceKind.
-constexpr std::string_view kLetters[] = {"X",  "Y", "M", "L",  "F", "B", "SB", "S",
-                                         "SM", "TS", "STS", "CS", "D", "W", "SW", "R",
-                                         "V",  "Z", "SD", "TN", "STN", "CN", "CN"};
+constexpr std::string_view kLetters[] = {"X",  "Y",   "M",  "L",   "F",  "B",  "SB", "S", "SM",
+                                         "TS", "STS", "CS", "%B",  "D",  "W",  "SW", "R", "V",
+                                         "Z",  "SD",  "TN", "STN", "CN", "CN", "%W"};
 static_assert(std::size(kLetters) == kDeviceKinds);
 
 struct Prefix {
@@ -52,9 +52,9 @@ struct Prefix {
 };
 // What a name may begin with; of several that fit, the longest counts.
 constexpr Prefix kPrefixes[] = {
-    {"STS", STS}, {"STN", STN}, {"SB", SB}, {"SM", SM}, {"SW", SW}, {"SD", SD}, {"TS", TS},
-    {"TN", TN},   {"CS", CS},   {"CN", CN}, {"ST", STS}, {"X", X},  {"Y", Y},   {"M", M},
-    {"L", L},     {"F", F},     {"B", B},   {"S", S},   {"T", TS},  {"C", CS},  {"D", D},
+    {"STS", STS}, {"STN", STN}, {"SB", SB}, {"SM", SM},  {"SW", SW}, {"SD", SD}, {"TS", TS},
+    {"TN", TN},   {"CS", CS},   {"CN", CN}, {"ST", STS}, {"X", X},   {"Y", Y},   {"M", M},
+    {"L", L},     {"F", F},     {"B", B},   {"S", S},    {"T", TS},  {"C", CS},  {"D", D},
     {"W", W},     {"R", R},     {"V", V},   {"Z", Z},
 };
 
@@ -78,10 +78,9 @@ bool is_special(DeviceKind kind, std::uint64_t number, Dialect dialect) {
 std::span<const DeviceRange> device_ranges() { return kRanges; }
 
 const DeviceRange* find_device_range(DeviceKind kind, Dialect dialect) {
-  const auto* found =
-      std::find_if(std::begin(kRanges), std::end(kRanges), [&](const DeviceRange& range) {
-        return range.kind == kind && range.dialect == dialect;
-      });
+  const auto* found = std::find_if(
+      std::begin(kRanges), std::end(kRanges),
+      [&](const DeviceRange& range) { return range.kind == kind && range.dialect == dialect; });
   return found == std::end(kRanges) ? nullptr : found;
 }
 
@@ -150,11 +149,11 @@ ParsedDevice parse_device(std::string_view text, Dialect dialect) {
     const int base = range != nullptr ? range->base : 10;
     const std::string_view digits = std::string_view(upper).substr(prefix.letters.size());
     const bool well_formed =
-        !digits.empty() && std::all_of(digits.begin(), digits.end(), [](unsigned char c) {
-          return std::isxdigit(c) != 0;
-        });
+        !digits.empty() && std::all_of(digits.begin(), digits.end(),
+                                       [](unsigned char c) { return std::isxdigit(c) != 0; });
     // XA is a device where numbers are hexadecimal, and else some other word.
-    if (!well_formed || (std::isdigit(static_cast<unsigned char>(digits.front())) == 0 && base != 16))
+    if (!well_formed ||
+        (std::isdigit(static_cast<unsigned char>(digits.front())) == 0 && base != 16))
       continue;
     std::uint64_t number = 0;
     for (const char c : digits) {

@@ -91,9 +91,7 @@ class Collector {
  private:
   void add(Device device) { devices_.push_back(device); }
 
-  bool wide_counter() const {
-    return is_32_bit_counter(instruction_.operand(0).device, dialect_);
-  }
+  bool wide_counter() const { return is_32_bit_counter(instruction_.operand(0).device, dialect_); }
 
   void timer_or_counter(Device device) {
     add(contact_of(device));

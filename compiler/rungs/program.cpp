@@ -20,9 +20,7 @@ bool is_load(Op op) {
   }
 }
 
-bool is_output(Op op) {
-  return op == Op::Mc || (op >= Op::Out && op <= Op::Call);
-}
+bool is_output(Op op) { return op == Op::Mc || (op >= Op::Out && op <= Op::Call); }
 
 ProgramCounts count(const Program& program) {
   ProgramCounts counts;

@@ -59,8 +59,8 @@ enum class Op : std::uint8_t {
   OutT,  // timer (its contact), preset; `base_us`
   OutC,  // counter (its contact), preset; 32 bits wide where the counter is
   Set,
-  Rst,   // bit; word (clears it); timer or counter (its contact)
-  Pls,   // bit
+  Rst,  // bit; word (clears it); timer or counter (its contact)
+  Pls,  // bit
   Plf,
   Alt,   // bit
   Sft,   // bit: takes the value of the bit before it, which becomes 0 (Q)
@@ -154,8 +154,8 @@ struct Network {
 struct Program {
   std::string file;  // as the user named it
   Dialect dialect = Dialect::Fx;
-  std::vector<Instruction> instructions;  // without END
-  std::vector<Network> networks;          // consecutive, covering all instructions
+  std::vector<Instruction> instructions;   // without END
+  std::vector<Network> networks;           // consecutive, covering all instructions
   std::map<Device, std::string> comments;  // device names, from a comment file
 };
 

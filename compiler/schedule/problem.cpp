@@ -50,6 +50,8 @@ class Builder {
       const Destination& to = ops()[i].destination;
       if (to.kind == Destination::Kind::Device)
         devices_[to.device][to.version] = static_cast<OpId>(i);
+      for (const Device device : ops()[i].window)
+        devices_[device][to.version] = static_cast<OpId>(i);
       if (to.kind == Destination::Kind::Temporary)
         temporaries_[to.temporary] = static_cast<OpId>(i);
     }
@@ -58,7 +60,7 @@ class Builder {
   // The read comes after the write of its version and not after the next one.
   void add_read(OpId op, Device device, Version version) {
     const auto found = devices_.find(device);
-    if (found == devices_.end() || version == mapping::kAnyVersion) return;
+    if (found == devices_.end()) return;
     const Writers& writers = found->second;
     const auto own = writers.find(version);
     if (own != writers.end()) edge(own->second, op, 1);
@@ -75,6 +77,7 @@ class Builder {
     for (const logic::Operand& operand : op.operands) {
       if (!operand.source.constant) add_read(id, operand.source.device, operand.version);
     }
+    for (const logic::Read& read : op.reads) add_read(id, read.device, read.version);
   }
 
   void add_write_order() {
@@ -87,20 +90,20 @@ class Builder {
   }
 
   void add_unit(const Unit& unit) {
-    for (std::size_t i = 1; i < unit.ops.size(); ++i) edge(unit.ops[i - 1], unit.ops[i], 1);
+    OpId index = mapping::kNoOp;
+    for (std::size_t i = 0; i < unit.ops.size(); ++i) {
+      if (i > 0) edge(unit.ops[i - 1], unit.ops[i], 1);
+      const Opcode opcode = ops()[unit.ops[i]].opcode;
+      if (opcode == Opcode::Ix) index = unit.ops[i];
+      if (mapping::uses_index(opcode)) edge(index, unit.ops[i], isa::constant::index_latency);
+    }
     for (const OpId collector : unit.collectors) {
       const OpId start = ops()[collector].started_by;
-      edge(start, collector, collect_latency(ops()[start].opcode));
+      edge(start, collector, mapping::collect_latency(ops()[start].opcode, *problem_.config));
     }
     for (std::size_t i = 1; i < unit.collectors.size(); ++i) {
       edge(unit.collectors[i - 1], unit.collectors[i], 1);
     }
-  }
-
-  int collect_latency(Opcode start) const {
-    if (start == Opcode::Muls) return problem_.config->mul_latency;
-    if (start == Opcode::Divs) return problem_.config->div_latency;
-    return 1;  // MUL and DIV have waited already
   }
 
   // Steps of the longest chain: levels of the graph, which has no cycle.

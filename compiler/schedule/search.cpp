@@ -7,23 +7,16 @@
 #include <random>
 #include <stdexcept>
 
-#include "mapping/emit.hpp"
 #include "schedule/schedule.hpp"
 
 namespace rung::schedule {
 namespace {
 
-using isa::Opcode;
 using mapping::kNoOp;
 using mapping::MappedOp;
 using mapping::Mapping;
 using mapping::OpId;
 using mapping::Unit;
-
-bool starts_unit(Opcode opcode) {
-  return opcode == Opcode::Muls || opcode == Opcode::Divs || opcode == Opcode::Mul ||
-         opcode == Opcode::Div;
-}
 
 // One slot's time line.
 struct Lane {
@@ -132,6 +125,7 @@ class Graph {
       const mapping::Destination& to = mapping.ops[op].destination;
       if (to.kind == mapping::Destination::Kind::Device)
         by_device[to.device].push_back(unit_of_[op]);
+      for (const Device device : mapping.ops[op].window) by_device[device].push_back(unit_of_[op]);
     }
     writers_.assign(mapping.units.size(), -1);
     for (const auto& [device, units] : by_device) {
@@ -217,6 +211,13 @@ class Attempt {
       bool fits = true;
       for (std::size_t i = 0; i < unit.ops.size() && fits; ++i, ++step) {
         step = std::max(step, est[i]);
+        // Within the unit only an index has to be waited for.
+        for (const Edge& edge : graph_.in(unit.ops[i])) {
+          if (edge.latency <= 1) continue;
+          const auto before = std::find(unit.ops.begin(), unit.ops.end(), edge.before);
+          if (before == unit.ops.end()) continue;
+          step = std::max(step, place.ops[before - unit.ops.begin()] + edge.latency);
+        }
         while (!lane.free(step) && !lane.is_owned(step)) ++step;
         fits = lane.free(step) && !lane.is_owned(step);
         place.ops.push_back(step);
@@ -235,7 +236,7 @@ class Attempt {
   // operation ends.
   std::optional<int> find_collectors(const Unit& unit, const Lane& lane, Place& place) const {
     for (std::size_t i = 0; i < unit.ops.size(); ++i) {
-      if (!starts_unit(mapping_.ops[unit.ops[i]].opcode)) continue;
+      if (!mapping::starts_unit(mapping_.ops[unit.ops[i]].opcode)) continue;
       int last = place.ops[i];
       for (const OpId collector : unit.collectors) {
         if (mapping_.ops[collector].started_by != unit.ops[i]) continue;
@@ -276,7 +277,7 @@ class Attempt {
       const OpId op = unit.ops[i];
       lane.put(place.ops[i], op);
       time_[op] = place.ops[i];
-      if (starts_unit(mapping_.ops[op].opcode)) lane.busy[place.ops[i]] = place.ops[i];
+      if (mapping::starts_unit(mapping_.ops[op].opcode)) lane.busy[place.ops[i]] = place.ops[i];
     }
     for (std::size_t i = 0; i < unit.collectors.size(); ++i) {
       const OpId op = unit.collectors[i];

@@ -4,13 +4,15 @@
 `default_nettype none
 
 module board_core #(
-    parameter integer MPU          = 3,   // 1, 2 or 3
-    parameter integer STEPS        = 256,
-    parameter integer BIT_DEVICES  = 1024,
-    parameter integer WORD_DEVICES = 256,
-    parameter integer MUL_DSP      = 0,
-    parameter integer MUL_LATENCY  = 20,
-    parameter integer DIV_LATENCY  = 20
+    parameter integer MPU           = 3,   // 1, 2 or 3
+    parameter integer STEPS         = 256,
+    parameter integer BIT_DEVICES   = 1024,
+    parameter integer WORD_DEVICES  = 256,
+    parameter integer MUL_DSP       = 0,
+    parameter integer MUL_LATENCY   = 20,
+    parameter integer DIV_LATENCY   = 20,
+    parameter integer MUL32_LATENCY = 40,  // this and the next: MPU1 only
+    parameter integer DIV32_LATENCY = 40
 ) (
     input  wire clk_i,
     // serial link, see serial_link.v
@@ -73,12 +75,14 @@ module board_core #(
   generate
     if (MPU == 1) begin : gen_mpu1
       mpu1 #(
-          .STEPS       (STEPS),
-          .BIT_DEVICES (BIT_DEVICES),
-          .WORD_DEVICES(WORD_DEVICES),
-          .MUL_DSP     (MUL_DSP),
-          .MUL_LATENCY (MUL_LATENCY),
-          .DIV_LATENCY (DIV_LATENCY)
+          .STEPS        (STEPS),
+          .BIT_DEVICES  (BIT_DEVICES),
+          .WORD_DEVICES (WORD_DEVICES),
+          .MUL_DSP      (MUL_DSP),
+          .MUL_LATENCY  (MUL_LATENCY),
+          .DIV_LATENCY  (DIV_LATENCY),
+          .MUL32_LATENCY(MUL32_LATENCY),
+          .DIV32_LATENCY(DIV32_LATENCY)
       ) mpu (
           .clk_i        (clk_i),
           .rst_ni       (rst_n),

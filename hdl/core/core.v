@@ -13,7 +13,9 @@ module core #(
     parameter WORD_DEVICES = 256,
     parameter MUL_DSP = 1,  // 1: MUL in multiplier blocks, 0: by iteration
     parameter MUL_LATENCY = 3,  // see muldiv.v
-    parameter DIV_LATENCY = 19
+    parameter DIV_LATENCY = 19,
+    parameter MUL32_LATENCY = 34,
+    parameter DIV32_LATENCY = 37
 ) (
     input  wire                             clk_i,
     input  wire                             rst_ni,
@@ -92,7 +94,7 @@ module core #(
   wire d1_hold;
   wire [SLOTS*SLOT_BITS-1:0] f3_step;
   wire [SLOTS*SLOT_BITS-1:0] d1_step;
-  wire unused_f3_step = &{1'b0, f3_step};  // of IF3 only the opcodes matter here
+  wire unused_f3_step = &{1'b0, f3_step};  // of IF3 only the opcodes matter
   wire [SLOTS*SLOT_BITS-1:0] l_step;
   assign l_step[SLOT_BITS-1:0] = l_instruction;
   generate
@@ -140,7 +142,9 @@ module core #(
   sequencer #(
       .SLOTS(SLOTS),
       .MUL_LATENCY(MUL_LATENCY),
-      .DIV_LATENCY(DIV_LATENCY)
+      .DIV_LATENCY(DIV_LATENCY),
+      .MUL32_LATENCY(MUL32_LATENCY),
+      .DIV32_LATENCY(DIV32_LATENCY)
   ) sequencer (
       .clk_i(clk_i),
       .rst_ni(rst_ni),
@@ -244,6 +248,8 @@ module core #(
           .clk_i(clk_i),
           .rst_ni(rst_ni),
           .scan_start_i(scan_start),
+          .f3_op_i(f3_op[s*`RUNG_OP_BITS+:`RUNG_OP_BITS]),
+          .d1_hold_i(d1_hold),
           .d1_op_i(d1_op[s*`RUNG_OP_BITS+:`RUNG_OP_BITS]),
           .d1_fields_i(d1_step[s*SLOT_BITS+:OP_AT]),
           .d1_first_i(d1_first),
@@ -316,13 +322,15 @@ module core #(
 
 `ifdef RUNG_RETIRE
   // ---- retire port -----------------------------------------------------------------------------
+  reg [`RUNG_OP_BITS-1:0] d1_retire_op;
   reg [SLOTS-1:0] d1_retire, d2_retire_q, d3_retire_q, x_retire_q;
   reg [15:0] d2_number_q, d3_number_q, x_number_q;
   integer r;
   always @* begin
     for (r = 0; r < SLOTS; r = r + 1) begin
-      if (d1_op[r*`RUNG_OP_BITS+:`RUNG_OP_BITS] == `RUNG_OP_MUL ||
-          d1_op[r*`RUNG_OP_BITS+:`RUNG_OP_BITS] == `RUNG_OP_DIV) begin
+      d1_retire_op = d1_op[r*`RUNG_OP_BITS+:`RUNG_OP_BITS];
+      if (d1_retire_op == `RUNG_OP_MUL || d1_retire_op == `RUNG_OP_DIV ||
+          d1_retire_op == `RUNG_OP_MULD || d1_retire_op == `RUNG_OP_DIVD) begin
         d1_retire[r] = d1_valid && d1_last;
       end else begin
         d1_retire[r] = d1_valid && d1_first;

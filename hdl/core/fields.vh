@@ -3,20 +3,27 @@
 // module that has the parameters LOOKUP (1: MPU2 and MPU3, 0: MPU1), BIT_ADDR and WORD_ADDR (bits of
 // a device number); each uses some of these (Verilator's waiver files do not reach included files).
 // verilator lint_off UNUSEDPARAM
-localparam OPERAND_BITS = BIT_ADDR + 1;
-localparam C_AT = 0;
-localparam B_AT = OPERAND_BITS;
-localparam A_AT = LOOKUP != 0 ? 2 * OPERAND_BITS : 0;
-localparam ROW_AT = 3 * OPERAND_BITS;
-localparam BIT_U_AT = LOOKUP != 0 ? ROW_AT : BIT_ADDR;
-localparam BIT_FORMAT_BITS = LOOKUP != 0 ? ROW_AT + `RUNG_ROW_BITS : OPERAND_BITS;
+localparam OPERAND_BITS = LOOKUP != 0 ? BIT_ADDR + 1 : BIT_ADDR;
 
+// sources
 localparam RS_AT = `RUNG_WORD_BITS;
-localparam RD_AT = RS_AT + WORD_ADDR;
-localparam KIND_AT = RD_AT + WORD_ADDR;
-localparam WORD_U_AT = KIND_AT + `RUNG_KIND_BITS;
-localparam WORD_FORMAT_BITS = WORD_U_AT + 1;
+localparam B_AT = BIT_ADDR + 1;
+localparam BIT_SOURCE_BITS = 2 * (BIT_ADDR + 1);
+localparam WORD_SOURCE_BITS = RS_AT + WORD_ADDR;
 
-localparam OP_AT = BIT_FORMAT_BITS > WORD_FORMAT_BITS ? BIT_FORMAT_BITS : WORD_FORMAT_BITS;
+// destination: c or rd. MPU1's only bit operand, which is also what it writes, stands here.
+localparam DEST_AT = BIT_SOURCE_BITS > WORD_SOURCE_BITS ? BIT_SOURCE_BITS : WORD_SOURCE_BITS;
+localparam DEST_BITS = OPERAND_BITS > WORD_ADDR ? OPERAND_BITS : WORD_ADDR;
+localparam A_AT = LOOKUP != 0 ? 0 : DEST_AT;
+
+// tail
+localparam U_AT = DEST_AT + DEST_BITS;
+localparam KIND_AT = U_AT + 1;
+localparam ROW_AT = U_AT;
+localparam WORD_TAIL_BITS = 1 + `RUNG_KIND_BITS;
+localparam ROW_BITS = LOOKUP != 0 ? `RUNG_ROW_BITS : 0;
+localparam TAIL_BITS = ROW_BITS > WORD_TAIL_BITS ? ROW_BITS : WORD_TAIL_BITS;
+
+localparam OP_AT = U_AT + TAIL_BITS;
 localparam SLOT_BITS = OP_AT + `RUNG_OP_BITS;
 // verilator lint_on UNUSEDPARAM

@@ -70,15 +70,15 @@ module load_port #(
   assign l_data_o   = l_data_q;
 
   // A write is SET, RST or MV that always runs. A read is a NOP that names the device: a NOP
-  // computes its operand `a`, and rs plus the source, like any instruction, and writes neither.
+  // gives its operand `a`, and s1, like any instruction, and writes neither.
   reg [INSTRUCTION_BITS-1:0] l_instruction;
   always @* begin
     l_instruction = {INSTRUCTION_BITS{1'b0}};
     if (l_valid_q && l_space_q == SPACE_BITS) begin
       if (l_write_q) begin
         l_instruction[OP_AT+:`RUNG_OP_BITS] = l_data_q[0] ? `RUNG_OP_SET : `RUNG_OP_RST;
-        l_instruction[C_AT+:BIT_ADDR] = l_addr_q[BIT_ADDR-1:0];
-        l_instruction[BIT_U_AT] = 1'b1;
+        l_instruction[DEST_AT+:BIT_ADDR] = l_addr_q[BIT_ADDR-1:0];
+        l_instruction[U_AT] = 1'b1;
       end else begin
         l_instruction[A_AT+:BIT_ADDR] = l_addr_q[BIT_ADDR-1:0];
       end
@@ -86,9 +86,9 @@ module load_port #(
       l_instruction[KIND_AT+:`RUNG_KIND_BITS] = 2'd1;
       if (l_write_q) begin
         l_instruction[OP_AT+:`RUNG_OP_BITS] = `RUNG_OP_MV;
-        l_instruction[RD_AT+:WORD_ADDR] = l_addr_q[WORD_ADDR-1:0];
+        l_instruction[DEST_AT+:WORD_ADDR] = l_addr_q[WORD_ADDR-1:0];
         l_instruction[`RUNG_WORD_BITS-1:0] = l_data_q;
-        l_instruction[WORD_U_AT] = 1'b1;
+        l_instruction[U_AT] = 1'b1;
       end else begin
         l_instruction[RS_AT+:WORD_ADDR] = l_addr_q[WORD_ADDR-1:0];
       end

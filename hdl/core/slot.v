@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// One slot: the bit side (look-up unit, or MPU1's contact unit), the word side, and the registers
-// after EX that forwarding reads. Every slot does every instruction of its processor and has its
-// own exc.
+// One slot: the bit side (look-up unit, or MPU1's contact unit), the word side, the index, and the
+// registers after EX that forwarding reads. Every slot does every instruction of its processor and
+// has its own exc, acc, carry and ix.
 `default_nettype none
 `include "rung_isa.vh"
 
@@ -18,6 +18,9 @@ module slot #(
     input  wire                               clk_i,
     input  wire                               rst_ni,
     input  wire                               scan_start_i,
+    // IF3: the opcode that ID1 has next, unless it holds
+    input  wire [            `RUNG_OP_BITS-1:0] f3_op_i,
+    input  wire                                 d1_hold_i,
     // ID1: the instruction, and which pass of a waiting step this is
     input  wire [            `RUNG_OP_BITS-1:0] d1_op_i,
     input  wire [               FIELD_BITS-1:0] d1_fields_i,
@@ -86,7 +89,8 @@ module slot #(
 );
 
   // ---- ID1: what this pass of the step issues --------------------------------------------------
-  wire d1_waits = d1_op_i == `RUNG_OP_MUL || d1_op_i == `RUNG_OP_DIV;
+  wire d1_waits = d1_op_i == `RUNG_OP_MUL || d1_op_i == `RUNG_OP_DIV ||
+      d1_op_i == `RUNG_OP_MULD || d1_op_i == `RUNG_OP_DIVD;
   reg [`RUNG_OP_BITS-1:0] d1_op;
   always @* begin
     d1_op = `RUNG_OP_NOP;
@@ -94,12 +98,37 @@ module slot #(
       d1_op = d1_op_i;
       if (d1_op_i == `RUNG_OP_MUL) d1_op = `RUNG_OP_MULS;
       if (d1_op_i == `RUNG_OP_DIV) d1_op = `RUNG_OP_DIVS;
+      if (d1_op_i == `RUNG_OP_MULD) d1_op = `RUNG_OP_MULDS;
+      if (d1_op_i == `RUNG_OP_DIVD) d1_op = `RUNG_OP_DIVDS;
     end else if (d1_last_i && d1_waits) begin
       d1_op = `RUNG_OP_MVL;
     end
   end
 
+  // ---- the index -------------------------------------------------------------------------------
+  localparam IX_BITS = BIT_ADDR > WORD_ADDR ? BIT_ADDR : WORD_ADDR;
+  wire d1_ix_source;
+  wire d1_ix_dest;
+  wire [IX_BITS-1:0] d1_ix;
+  wire [`RUNG_WORD_BITS-1:0] x_sum;
+  index_unit #(
+      .IX_BITS(IX_BITS)
+  ) index (
+      .clk_i(clk_i),
+      .f3_op_i(f3_op_i),
+      .d1_hold_i(d1_hold_i),
+      .d1_source_o(d1_ix_source),
+      .d1_dest_o(d1_ix_dest),
+      .d1_ix_o(d1_ix),
+      .d1_op_i(d1_op),
+      .x_sum_i(x_sum[IX_BITS-1:0])
+  );
+  wire unused_ix = &{1'b0, d1_ix, x_sum};
+
   // ---- the bit side ----------------------------------------------------------------------------
+  wire x_test_we;
+  wire x_test;
+  wire [`RUNG_WORD_BITS-1:0] x_acc;
   wire x_exc;
   wire x_bit_value;
   wire x_bit_bank;
@@ -117,6 +146,9 @@ module slot #(
           .scan_start_i(scan_start_i),
           .d1_op_i(d1_op),
           .d1_fields_i(d1_fields_i),
+          .d1_ix_source_i(d1_ix_source),
+          .d1_ix_dest_i(d1_ix_dest),
+          .d1_ix_i(d1_ix[BIT_ADDR-1:0]),
           .d1_addr_o(d1_bit_addr_o),
           .d1_row_o(d1_row_o),
           .d2_bank_i(d2_bit_bank_i),
@@ -134,11 +166,14 @@ module slot #(
           .w_bank_i(w_bit_bank_i),
           .v_value_i(v_bit_value_i),
           .v_bank_i(v_bit_bank_i),
+          .x_test_we_i(x_test_we),
+          .x_test_i(x_test),
           .x_we_o(x_bit_we_o),
           .x_value_o(x_bit_value),
           .x_bank_o(x_bit_bank),
           .x_exc_o(x_exc),
-          .x_exc_next_o(x_exc_next)
+          .x_exc_next_o(x_exc_next),
+          .x_acc_o(x_acc)
       );
     end else begin : g_contact
       contact_unit #(
@@ -150,6 +185,8 @@ module slot #(
           .scan_start_i(scan_start_i),
           .d1_op_i(d1_op),
           .d1_fields_i(d1_fields_i),
+          .d1_ix_dest_i(d1_ix_dest),
+          .d1_ix_i(d1_ix[BIT_ADDR-1:0]),
           .d1_addr_o(d1_bit_addr_o),
           .d2_bank_i(d2_bit_bank_i),
           .d2_dest_o(d2_bit_dest_o),
@@ -159,10 +196,13 @@ module slot #(
           .w_we_i(w_bit_we_i),
           .w_value_i(w_bit_value_i),
           .v_value_i(v_bit_value_i),
+          .x_test_we_i(x_test_we),
+          .x_test_i(x_test),
           .x_we_o(x_bit_we_o),
           .x_value_o(x_bit_value),
           .x_exc_o(x_exc),
-          .x_exc_next_o(x_exc_next)
+          .x_exc_next_o(x_exc_next),
+          .x_acc_o(x_acc)
       );
       assign d1_row_o = {`RUNG_ROW_BITS{1'b0}};
       assign x_bit_bank = x_bit_value;
@@ -189,6 +229,9 @@ module slot #(
       .scan_start_i(scan_start_i),
       .d1_op_i(d1_op),
       .d1_fields_i(d1_fields_i),
+      .d1_ix_source_i(d1_ix_source),
+      .d1_ix_dest_i(d1_ix_dest),
+      .d1_ix_i(d1_ix[WORD_ADDR-1:0]),
       .d1_addr_o(d1_word_addr_o),
       .d1_dest_o(d1_word_dest_o),
       .d2_bank_i(d2_word_bank_i),
@@ -207,9 +250,13 @@ module slot #(
       .v_value_i(v_word_value_i),
       .v_bank_i(v_word_bank_i),
       .x_exc_i(x_exc),
+      .x_acc_i(x_acc),
       .x_we_o(x_word_we_o),
       .x_value_o(x_word_value),
       .x_bank_o(x_word_bank),
+      .x_test_we_o(x_test_we),
+      .x_test_o(x_test),
+      .x_sum_o(x_sum),
       .w_div_by_0_o(w_div_by_0_o)
   );
 

@@ -53,7 +53,9 @@ class VerilatedProcessor final : public Processor {
     length_ = static_cast<std::uint16_t>(steps.size());
     write(LoadSpace::Length, 0, length_);
     // A scan takes at most this, even if every step waits for a division.
-    const int wait = std::max(config_.mul_latency, config_.div_latency) + 1;
+    const int wait = std::max({config_.mul_latency, config_.div_latency, config_.mul32_latency,
+                               config_.div32_latency}) +
+                     1;
     clock_limit_ = static_cast<std::uint32_t>(steps.size()) * wait + 1000;
   }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace rung::tb {
 
@@ -16,23 +17,29 @@ std::string describe(const Difference& difference) {
 }
 
 Lockstep::Lockstep(const Program& program, Machine& machine)
-    : program_(program), machine_(machine), reference_(program) {
-  devices_.resize(machine.image().devices.size());
-  for (const Device device : named_devices(program)) {
-    const int index = machine.find(device);
-    if (index >= 0) devices_[index] = device;
-  }
+    : program_(program), machine_(machine), reference_(program, machine.tick_us()) {
+  for (const image::ImageDevice& named : machine.image().devices) devices_.push_back(named.device);
+  expected_.assign(devices_.size(), 0);
+  got_.assign(devices_.size(), 0);
 }
 
 std::optional<Difference> Lockstep::scan(std::span<const StimulusEvent> events) {
   ++scan_;
-  for (const StimulusEvent& event : events) reference_.set(event.device, event.value);
+  for (const StimulusEvent& event : events) {
+    reference_.set(event.device, event.value);
+    const int device = machine_.find(event.device);
+    if (device >= 0) expected_[device] = got_[device] = reference_.get(event.device);
+  }
   machine_.apply(events);
   reference_.run_scan();
   result_ = machine_.run_scan();
 
-  auto difference =
-      machine_.image().mpu == isa::Mpu::Mpu1 ? compare_in_order() : compare_by_device();
+  const std::vector<Change> expected = expected_changes();
+  const std::vector<Change> got = got_changes();
+  auto difference = compare_by_device(expected, got);
+  if (!difference && machine_.image().mpu == isa::Mpu::Mpu1) {
+    difference = compare_order(expected, got);
+  }
   if (difference) return difference;
   const auto flag = [](bool on) { return std::string(on ? "1" : "0"); };
   if (result_.error != reference_.error()) {
@@ -73,34 +80,60 @@ std::optional<Difference> Lockstep::compare_write(const ReferenceWrite* expected
   return difference;
 }
 
-std::optional<Difference> Lockstep::compare_in_order() {
-  const auto& expected = reference_.writes();
-  const auto& got = machine_.writes();
-  for (std::size_t i = 0; i < std::max(expected.size(), got.size()); ++i) {
-    auto difference = compare_write(i < expected.size() ? &expected[i] : nullptr,
-                                    i < got.size() ? &got[i] : nullptr);
-    if (difference) return difference;
+std::vector<Lockstep::Change> Lockstep::expected_changes() {
+  std::vector<Change> changes;
+  for (const ReferenceWrite& write : reference_.writes()) {
+    const int device = machine_.find(write.device);
+    if (device < 0 || std::exchange(expected_[device], write.value) == write.value) continue;
+    changes.push_back({device, write.value, &write, nullptr});
   }
-  return std::nullopt;
+  return changes;
 }
 
-std::optional<Difference> Lockstep::compare_by_device() {
-  std::vector<std::vector<const ReferenceWrite*>> expected(devices_.size());
-  for (const ReferenceWrite& write : reference_.writes()) {
-    expected[machine_.find(write.device)].push_back(&write);
-  }
-  std::vector<std::size_t> next(devices_.size(), 0);
+std::vector<Lockstep::Change> Lockstep::got_changes() {
+  std::vector<Change> changes;
   for (const MachineWrite& write : machine_.writes()) {
-    const auto& queue = expected[write.device];
-    std::size_t& at = next[write.device];
-    auto difference = compare_write(at < queue.size() ? queue[at] : nullptr, &write);
+    if (std::exchange(got_[write.device], write.value) == write.value) continue;
+    changes.push_back({write.device, write.value, nullptr, &write});
+  }
+  return changes;
+}
+
+std::optional<Difference> Lockstep::compare_by_device(const std::vector<Change>& expected,
+                                                      const std::vector<Change>& got) {
+  std::vector<std::vector<const ReferenceWrite*>> queues(devices_.size());
+  for (const Change& change : expected) queues[change.device].push_back(change.expected);
+  std::vector<std::size_t> next(devices_.size(), 0);
+  for (const Change& change : got) {
+    const auto& queue = queues[change.device];
+    std::size_t& at = next[change.device];
+    auto difference = compare_write(at < queue.size() ? queue[at] : nullptr, change.got);
     if (difference) return difference;
     ++at;
   }
   for (std::size_t device = 0; device < devices_.size(); ++device) {
-    if (next[device] < expected[device].size()) {
-      return compare_write(expected[device][next[device]], nullptr);
+    if (next[device] < queues[device].size()) {
+      return compare_write(queues[device][next[device]], nullptr);
     }
+  }
+  return std::nullopt;
+}
+
+// Within one instruction several devices may change in either order.
+std::optional<Difference> Lockstep::compare_order(const std::vector<Change>& expected,
+                                                  const std::vector<Change>& got) {
+  const auto& origins = machine_.image().origins;
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    const MachineWrite& write = *got[i].got;
+    const auto instruction = static_cast<std::size_t>(origins[write.step][write.slot]);
+    if (instruction == expected[i].expected->instruction) continue;
+    Difference difference;
+    difference.scan = scan_;
+    difference.what = "order of writes";
+    difference.expected = source_of(expected[i].expected->instruction);
+    difference.got = source_of(instruction);
+    difference.where = machine_.describe(write.step, write.slot);
+    return difference;
   }
   return std::nullopt;
 }

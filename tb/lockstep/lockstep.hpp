@@ -28,9 +28,9 @@ class Lockstep {
   // `program` is what `machine` was compiled from. Both must outlive this.
   Lockstep(const Program& program, Machine& machine);
 
-  // Gives both the same events, runs one scan on both and compares: every write (on MPU1 in order,
-  // on MPU2 and MPU3 in order for each device), outputs, the error flag, and the clocks with those
-  // that the compiler has counted.
+  // Gives both the same events, runs one scan on both and compares: for each device the sequence of
+  // the values that it gets, on MPU1 also the order of the source instructions that change
+  // something; outputs, the error flag, and the clocks with those that the compiler has counted.
   std::optional<Difference> scan(std::span<const StimulusEvent> events);
   // Compares every device that the program names.
   std::optional<Difference> compare_state();
@@ -40,8 +40,20 @@ class Lockstep {
   const ScanResult& result() const { return result_; }
 
  private:
-  std::optional<Difference> compare_in_order();
-  std::optional<Difference> compare_by_device();
+  struct Change {
+    int device = 0;  // index into Image::devices
+    std::int16_t value = 0;
+    const ReferenceWrite* expected = nullptr;  // the write that it is, on either side
+    const MachineWrite* got = nullptr;
+  };
+
+  // Writes that change a value, of the reference and of the processor.
+  std::vector<Change> expected_changes();
+  std::vector<Change> got_changes();
+  std::optional<Difference> compare_by_device(const std::vector<Change>& expected,
+                                              const std::vector<Change>& got);
+  std::optional<Difference> compare_order(const std::vector<Change>& expected,
+                                          const std::vector<Change>& got);
   std::optional<Difference> compare_write(const ReferenceWrite* expected, const MachineWrite* got);
   std::optional<Difference> compare_devices(bool outputs_only);
   std::string source_of(std::size_t instruction) const;
@@ -50,6 +62,7 @@ class Lockstep {
   Machine& machine_;
   Reference reference_;
   std::vector<Device> devices_;  // of Image::devices
+  std::vector<std::int16_t> expected_, got_;  // their values
   ScanResult result_;
   std::int64_t scan_ = -1;
 };

@@ -5,32 +5,34 @@
 
 #include <stdexcept>
 
-#include "rungs/devices.hpp"
 
 namespace rung::tb {
 namespace {
 
 Dialect dialect_of(const image::Image& image) {
-  for (const Dialect dialect : {Dialect::Paper, Dialect::Fx, Dialect::Q}) {
-    if (dialect_name(dialect) == image.dialect) return dialect;
-  }
-  throw std::invalid_argument("the image has no known dialect");
+  const auto dialect = find_dialect(image.dialect);
+  if (!dialect) throw std::invalid_argument("the image has no known dialect");
+  return *dialect;
 }
 
 }  // namespace
 
-Machine::Machine(const image::Image& image, Processor& processor)
-    : image_(image), processor_(processor) {
+Machine::Machine(const image::Image& image, Processor& processor, std::int64_t tick_us)
+    : image_(image),
+      processor_(processor),
+      values_(image.devices.size(), 0),
+      ticks_(image.ticks.size(), 0),
+      time_{0, tick_us} {
   const isa::Config& config = processor.config();
   bit_devices_.assign(config.bit_devices, -1);
   word_devices_.assign(config.word_devices, -1);
   for (std::size_t i = 0; i < image.devices.size(); ++i) {
-    const image::ImageDevice& device = image.devices[i];
-    auto& table = device.kind == DeviceKind::D ? word_devices_ : bit_devices_;
-    table[device.address] = static_cast<int>(i);
-    const auto parsed = parse_device_name(device.name, dialect_of(image));
-    if (!parsed) throw std::invalid_argument("the image names a device that does not exist");
-    by_device_[*parsed] = static_cast<int>(i);
+    const image::ImageDevice& named = image.devices[i];
+    const int index = static_cast<int>(i);
+    (is_word(named.device) ? word_devices_ : bit_devices_)[named.address] = index;
+    by_device_[named.device] = index;
+    const SpecialRange* special = find_special(named.device, dialect_of(image));
+    if (special != nullptr && is_driven(special->role)) driven_.push_back({index, special});
   }
   std::vector<std::vector<std::uint64_t>> steps;
   steps.reserve(image.steps.size());
@@ -45,47 +47,74 @@ Machine::Machine(const image::Image& image, Processor& processor)
 }
 
 Machine::~Machine() {
-  for (const image::ImageDevice& device : image_.devices) set(device, 0);
-  for (int address = image_.first_temporary; address < image_.statistics.bit_devices; ++address) {
+  for (int address = 0; address < image_.statistics.bit_devices; ++address) {
     processor_.write_bit(address, false);
+  }
+  for (int address = 0; address < image_.statistics.word_devices; ++address) {
+    processor_.write_word(address, 0);
   }
 }
 
-void Machine::set(const image::ImageDevice& device, std::int16_t value) {
-  if (device.kind == DeviceKind::D) {
-    processor_.write_word(device.address, static_cast<std::uint16_t>(value));
+void Machine::set(int device, std::int16_t value) {
+  const image::ImageDevice& named = image_.devices[device];
+  if (is_word(named.device)) {
+    processor_.write_word(named.address, static_cast<std::uint16_t>(value));
   } else {
-    processor_.write_bit(device.address, value != 0);
+    value = value != 0 ? 1 : 0;
+    processor_.write_bit(named.address, value != 0);
   }
+  values_[device] = value;
 }
 
 void Machine::apply(std::span<const StimulusEvent> events) {
   for (const StimulusEvent& event : events) {
     const int device = find(event.device);
-    if (device >= 0) set(image_.devices[device], event.value);
+    if (device >= 0) set(device, event.value);
+  }
+}
+
+void Machine::drive() {
+  for (const Driven& driven : driven_) {
+    const std::int16_t value = driven_value(*driven.special, time_) ? 1 : 0;
+    if (values_[driven.device] != value) set(driven.device, value);
+  }
+  for (std::size_t i = 0; i < image_.ticks.size(); ++i) {
+    const std::int16_t ticks = ticks_since_last(image_.ticks[i].base_us, time_);
+    if (ticks == ticks_[i]) continue;
+    processor_.write_word(image_.ticks[i].address, static_cast<std::uint16_t>(ticks));
+    ticks_[i] = ticks;
+  }
+}
+
+void Machine::retire(const Retired& retired) {
+  const bool quiet = image_.quiet[retired.step][retired.slot] != 0;
+  const auto add = [&](int device, std::int16_t value) {
+    if (device < 0 || (quiet && values_[device] == value)) return;
+    values_[device] = value;
+    writes_.push_back({device, value, retired.step, retired.slot});
+  };
+  if (retired.bit_we) {
+    add(bit_devices_[retired.bit_address], static_cast<std::int16_t>(retired.bit_value ? 1 : 0));
+  }
+  if (retired.word_we) {
+    add(word_devices_[retired.word_address], static_cast<std::int16_t>(retired.word_value));
   }
 }
 
 ScanResult Machine::run_scan() {
   writes_.clear();
-  return processor_.run_scan([this](const Retired& retired) {
+  drive();
+  const ScanResult result = processor_.run_scan([this](const Retired& retired) {
     if (observer_) observer_(retired);
-    if (retired.bit_we && bit_devices_[retired.bit_address] >= 0) {
-      writes_.push_back({bit_devices_[retired.bit_address],
-                         static_cast<std::int16_t>(retired.bit_value ? 1 : 0), retired.step,
-                         retired.slot});
-    }
-    if (retired.word_we && word_devices_[retired.word_address] >= 0) {
-      writes_.push_back({word_devices_[retired.word_address],
-                         static_cast<std::int16_t>(retired.word_value), retired.step,
-                         retired.slot});
-    }
+    retire(retired);
   });
+  ++time_.scan;
+  return result;
 }
 
 std::int16_t Machine::value(std::size_t device) {
   const image::ImageDevice& named = image_.devices[device];
-  if (named.kind == DeviceKind::D) {
+  if (is_word(named.device)) {
     return static_cast<std::int16_t>(processor_.read_word(named.address));
   }
   return processor_.read_bit(named.address) ? 1 : 0;
@@ -111,9 +140,9 @@ std::string Machine::describe(std::uint32_t step, std::uint8_t slot) const {
 MachineRun::MachineRun(Machine& machine, bool with_state)
     : machine_(machine), with_state_(with_state), recorder_(with_state) {}
 
-TraceHeader MachineRun::header(std::int64_t tick_us) const {
+TraceHeader MachineRun::header() const {
   const image::Image& image = machine_.image();
-  return {image.program, image.dialect, tick_us, static_cast<int>(image.mpu)};
+  return {image.program, image.dialect, machine_.tick_us(), static_cast<int>(image.mpu)};
 }
 
 TraceScan MachineRun::scan(std::span<const StimulusEvent> events) {
@@ -137,7 +166,7 @@ TraceScan MachineRun::record(std::span<const StimulusEvent> events, const ScanRe
   }
   for (std::size_t i = 0; i < image.devices.size(); ++i) {
     const image::ImageDevice& device = image.devices[i];
-    const bool output = device.kind == DeviceKind::Y;
+    const bool output = device.device.kind == DeviceKind::Y;
     if (!output && !with_state_) continue;
     const std::int16_t value = machine_.value(i);
     if (output) recorder_.output(device.name, value);

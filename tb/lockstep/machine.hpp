@@ -10,6 +10,7 @@
 
 #include "harness/processor.hpp"
 #include "image/image.hpp"
+#include "rungs/special.hpp"
 #include "trace/recorder.hpp"
 #include "trace/stimulus.hpp"
 
@@ -26,8 +27,8 @@ struct MachineWrite {
 class Machine {
  public:
   // Loads `image` into `processor`, which is its processor in its configuration; all devices are 0.
-  // Both must outlive this.
-  Machine(const image::Image& image, Processor& processor);
+  // `tick_us` is the time from scan to scan. Both must outlive this.
+  Machine(const image::Image& image, Processor& processor, std::int64_t tick_us = 10000);
   // Sets what it has used back to 0, so that the processor is as new for the next machine.
   ~Machine();
   Machine(const Machine&) = delete;
@@ -35,7 +36,9 @@ class Machine {
 
   // Gives devices their values before a scan; devices that the image does not have are ignored.
   void apply(std::span<const StimulusEvent> events);
-  // One scan; `writes()` holds what it wrote, in the order of steps and in a step by slot.
+  // One scan, with its ticks, clocks and first-scan relays; `writes()` holds what it wrote, in the
+  // order of steps and in a step by slot, without those of lowered instructions that left a value
+  // as it was.
   ScanResult run_scan();
 
   const std::vector<MachineWrite>& writes() const { return writes_; }
@@ -47,17 +50,30 @@ class Machine {
   int find(Device device) const;
 
   const image::Image& image() const { return image_; }
+  std::int64_t tick_us() const { return time_.tick_us; }
   // "step 3, slot 1: LUTO ... (line 4: OUT Y0)"
   std::string describe(std::uint32_t step, std::uint8_t slot) const;
 
  private:
-  void set(const image::ImageDevice& device, std::int16_t value);
+  // A device that the controller drives.
+  struct Driven {
+    int device;  // index into Image::devices
+    const SpecialRange* special;
+  };
+
+  void set(int device, std::int16_t value);
+  void drive();
+  void retire(const Retired& retired);
 
   const image::Image& image_;
   Processor& processor_;
   std::vector<int> bit_devices_;  // address -> index into Image::devices, or -1
   std::vector<int> word_devices_;
   std::map<Device, int> by_device_;
+  std::vector<std::int16_t> values_;  // of Image::devices, as the writes so far leave them
+  std::vector<Driven> driven_;
+  std::vector<std::int16_t> ticks_;  // as they stand in the processor
+  ScanTime time_;
   std::vector<MachineWrite> writes_;
   RetireObserver observer_;
 };
@@ -67,7 +83,7 @@ class MachineRun {
  public:
   MachineRun(Machine& machine, bool with_state);
 
-  TraceHeader header(std::int64_t tick_us) const;
+  TraceHeader header() const;
   // Applies the events, runs one scan and gives what happened in it, the clocks too.
   TraceScan scan(std::span<const StimulusEvent> events);
   // The same for a scan that has already run.

@@ -69,10 +69,41 @@ inline isa::SlotInstruction word(isa::Opcode opcode, int rs, int source, int rd,
   return out;
 }
 
+// rd <- rs op constant
+inline isa::SlotInstruction with_constant(isa::Opcode opcode, int rs, std::uint16_t value,
+                                          int rd = 0, bool always = true) {
+  isa::SlotInstruction out = word(opcode, rs, value, rd, always);
+  out.kind = isa::WordKind::DeviceConstant;
+  return out;
+}
+
 // rd <- constant
 inline isa::SlotInstruction move_constant(std::uint16_t value, int rd, bool always = true) {
-  isa::SlotInstruction out = word(isa::Opcode::Mv, 0, value, rd, always);
-  out.kind = isa::WordKind::DeviceConstant;
+  return with_constant(isa::Opcode::Mv, 0, value, rd, always);
+}
+
+// Bit device `number` <- what the test finds of rs and device `source`, on processor `mpu`.
+inline isa::SlotInstruction test(isa::Mpu mpu, isa::Opcode opcode, int rs, int source, int number,
+                                 bool always = true) {
+  isa::SlotInstruction out = word(opcode, rs, source, 0, always);
+  (mpu == isa::Mpu::Mpu1 ? out.a : out.c) = device(number);
+  return out;
+}
+
+// MVL, MVH, MV2, MV3, MVA or MVX: an instruction that only has a destination.
+inline isa::SlotInstruction into(isa::Opcode opcode, int rd, bool always = false) {
+  isa::SlotInstruction out;
+  out.opcode = opcode;
+  out.rd = static_cast<std::uint16_t>(rd);
+  out.always = always;
+  return out;
+}
+
+// SETX or RSTX.
+inline isa::SlotInstruction indexed_coil(isa::Opcode opcode, bool always = true) {
+  isa::SlotInstruction out;
+  out.opcode = opcode;
+  out.always = always;
   return out;
 }
 

@@ -17,12 +17,6 @@ constexpr int kLow = 5;
 constexpr int kHigh = 6;
 constexpr int kOne = 1;  // bit that is 1
 
-isa::SlotInstruction collect(Opcode opcode, int rd) {
-  isa::SlotInstruction out = plain(opcode);
-  out.rd = static_cast<std::uint16_t>(rd);
-  return out;
-}
-
 class Units : public testing::TestWithParam<Target> {};
 class LookUpUnits : public Units {};   // MULS, DIVS and their collectors
 class TwoSlotUnits : public Units {};  // one unit beside the other
@@ -43,8 +37,8 @@ TEST_P(LookUpUnits, CollectAtTheLatencyAndLater) {
             std::vector<Step> program{bench.step(word(start, kS1, kS2, 0), slot)};
             for (int i = 1; i < wait; ++i) program.push_back(bench.step(nop()));
             // The high word first: either may come at the latency.
-            program.push_back(bench.step(collect(Opcode::Mvh, kHigh), slot));
-            program.push_back(bench.step(collect(Opcode::Mvl, kLow), slot));
+            program.push_back(bench.step(into(Opcode::Mvh, kHigh), slot));
+            program.push_back(bench.step(into(Opcode::Mvl, kLow), slot));
             ASSERT_TRUE(bench.scan(program)) << wait;
             const auto a = static_cast<std::int16_t>(s1);
             const auto b = static_cast<std::int16_t>(s2);
@@ -79,8 +73,8 @@ TEST_P(TwoSlotUnits, EachSlotHasItsOwn) {
     std::vector<Step> program{
         both(word(Opcode::Muls, kS1, kS2, 0), word(Opcode::Divs, kS1, kS2, 0))};
     for (int i = 1; i < bench.config().div_latency; ++i) program.push_back(bench.step(nop()));
-    program.push_back(both(collect(Opcode::Mvl, 10), collect(Opcode::Mvl, 11)));
-    program.push_back(both(collect(Opcode::Mvh, 12), collect(Opcode::Mvh, 13)));
+    program.push_back(both(into(Opcode::Mvl, 10), into(Opcode::Mvl, 11)));
+    program.push_back(both(into(Opcode::Mvh, 12), into(Opcode::Mvh, 13)));
     ASSERT_TRUE(bench.scan(program));
     EXPECT_EQ(bench.rtl().read_word(10), 7000);
     EXPECT_EQ(bench.rtl().read_word(11), 142);
@@ -110,7 +104,7 @@ TEST_P(TwoSlotUnits, WaitingBesideOtherInstructions) {
         bench.set_word(kS2, 7);
         Step step = bench.step(instruction, slot);
         step[static_cast<std::size_t>(1 - slot)] = beside;
-        Step after = bench.step(collect(Opcode::Mvh, 12), slot);
+        Step after = bench.step(into(Opcode::Mvh, 12), slot);
         ASSERT_TRUE(bench.scan({step, after, step, step}));
         if (beside == count) {
           EXPECT_EQ(bench.rtl().read_word(20), 103);
@@ -143,9 +137,9 @@ TEST_P(Units, DivisionByZeroAndNotExecuted) {
               for (int i = 1; i < bench.config().div_latency; ++i) {
                 program.push_back(bench.step(nop()));
               }
-              program.push_back(bench.step(collect(Opcode::Mvl, kLow), slot));
+              program.push_back(bench.step(into(Opcode::Mvl, kLow), slot));
             }
-            program.push_back(bench.step(collect(Opcode::Mvh, kHigh), slot));
+            program.push_back(bench.step(into(Opcode::Mvh, kHigh), slot));
             ASSERT_TRUE(bench.scan(program));
             const bool run = exc || always;
             const bool valid = run && divisor != 0;

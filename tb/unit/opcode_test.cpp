@@ -30,17 +30,32 @@ constexpr int kOne = 7;   // bit that is 1
 constexpr int kZero = 8;  // bit that is 0
 constexpr int kTarget = 9;
 
-// What the arithmetic has to give, written here once more for the opcodes that have one result.
+// What the arithmetic has to give, written here once more for the opcodes that have one result; no
+// carry comes in.
 std::uint16_t expected_result(Opcode opcode, std::int16_t s1, std::int16_t s2) {
+  const auto u1 = static_cast<std::uint16_t>(s1);
+  const auto u2 = static_cast<std::uint16_t>(s2);
   switch (opcode) {
     case Opcode::Add:
+    case Opcode::Adc:
       return static_cast<std::uint16_t>(s1 + s2);
     case Opcode::Sub:
+    case Opcode::Sbc:
       return static_cast<std::uint16_t>(s1 - s2);
     case Opcode::Mul:
       return static_cast<std::uint16_t>(s1 * s2);
     case Opcode::Div:
       return static_cast<std::uint16_t>(s1 / s2);
+    case Opcode::Wand:
+      return u1 & u2;
+    case Opcode::Wor:
+      return u1 | u2;
+    case Opcode::Wxor:
+      return u1 ^ u2;
+    case Opcode::Rol:
+      return static_cast<std::uint16_t>(u1 << u2 % 16 | u1 >> (16 - u2 % 16));
+    case Opcode::Minu:
+      return u1 < u2 ? u1 : u2;
     default:
       return static_cast<std::uint16_t>(s2);
   }
@@ -50,7 +65,9 @@ TEST_P(Opcodes, WordInstructionsOnCornerOperands) {
   Bench bench(GetParam());
   bench.set_bit(kOne, true);
   constexpr std::uint16_t kOld = 0x1234;
-  for (const Opcode opcode : {Opcode::Mv, Opcode::Add, Opcode::Sub, Opcode::Mul, Opcode::Div}) {
+  for (const Opcode opcode :
+       {Opcode::Mv, Opcode::Add, Opcode::Sub, Opcode::Mul, Opcode::Div, Opcode::Adc, Opcode::Sbc,
+        Opcode::Wand, Opcode::Wor, Opcode::Wxor, Opcode::Rol, Opcode::Minu}) {
     for (int variant = 0; variant < 3 * 2 * 2 * bench.slots(); ++variant) {
       const auto kind = static_cast<isa::WordKind>(variant % 3);
       const bool exc = variant / 3 % 2 != 0;
@@ -72,6 +89,7 @@ TEST_P(Opcodes, WordInstructionsOnCornerOperands) {
           program.push_back(bench.step(move_constant(rs, kS1), slot));
           program.push_back(bench.step(move_constant(s2, kS2), slot));
           program.push_back(bench.step(move_constant(kOld, kRd), slot));
+          program.push_back(bench.step(with_constant(Opcode::Cmp, kS1, 0), slot));  // no carry
           at.push_back(program.size() * static_cast<std::size_t>(bench.slots()) +
                        static_cast<std::size_t>(slot));
           program.push_back(bench.step(instruction, slot));
@@ -190,6 +208,29 @@ TEST_P(ContactOpcodes, ContactsAndBlocks) {
   }
 }
 
+TEST_P(ContactOpcodes, InvertAndPop) {
+  Bench bench(GetParam());
+  bench.set_bit(kOne, true);
+  for (int values = 0; values < 8; ++values) {
+    const auto bit = [&](int i) { return (values >> i & 1) != 0; };
+    const auto load = [&](int i) { return Step{contact(Opcode::Ld, bit(i) ? kOne : kZero)}; };
+    ASSERT_TRUE(bench.scan({load(0),
+                            load(1),
+                            {plain(Opcode::Inv)},
+                            load(2),
+                            {plain(Opcode::Inv)},
+                            {plain(Opcode::Inv)},
+                            {plain(Opcode::Pop)},
+                            {plain(Opcode::Pop)},
+                            {plain(Opcode::Inv)}}));
+    EXPECT_EQ(bench.retired()[2].exc, !bit(1)) << values;
+    EXPECT_EQ(bench.retired()[5].exc, bit(2)) << values;
+    EXPECT_EQ(bench.retired()[6].exc, !bit(1)) << values;
+    EXPECT_EQ(bench.retired()[7].exc, bit(0)) << values;
+    EXPECT_EQ(bench.retired()[8].exc, !bit(0)) << values;
+  }
+}
+
 TEST_P(ContactOpcodes, StacksHoldWhatTheTableSays) {
   Bench bench(GetParam());
   bench.set_bit(kOne, true);
@@ -240,6 +281,8 @@ TEST_P(Opcodes, ClocksOfEach) {
         int clocks = 1;
         if (info.opcode == Opcode::Mul) clocks = config.mul_latency + 1;
         if (info.opcode == Opcode::Div) clocks = config.div_latency + 1;
+        if (info.opcode == Opcode::Muld) clocks = config.mul32_latency + 1;
+        if (info.opcode == Opcode::Divd) clocks = config.div32_latency + 1;
         const ScanResult result = bench.rtl().run_scan({});
         EXPECT_EQ(result.clocks,
                   static_cast<std::uint32_t>(isa::constant::fill_clocks + clocks + 1))

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cstdlib>
+#include <limits>
 #include <random>
 
 #include "unit/bench.hpp"
@@ -35,24 +36,19 @@ class Generator {
 
   std::vector<Step> program(int steps) {
     std::vector<Step> program;
-    std::vector<int> ready(static_cast<std::size_t>(isa::slots(target_.mpu)), 0);
+    std::vector<Slot> slots(static_cast<std::size_t>(isa::slots(target_.mpu)));
     int clock = 0;
     for (int i = 0; i < steps; ++i) {
       Step step;
       int clocks = 1;
-      for (int& slot_ready : ready) {
+      for (Slot& slot : slots) {
         isa::SlotInstruction instruction = this->instruction();
-        // Only a result that is there may be collected, and no device may be written twice.
-        while ((collects(instruction) && clock < slot_ready) || conflicts(instruction, step)) {
+        // Only a result or an index that is there may be used, and no device may be written twice.
+        while (too_early(instruction, slot, clock) || conflicts(instruction, step)) {
           instruction = this->instruction();
         }
-        if (instruction.opcode == Opcode::Muls) slot_ready = clock + target_.config->mul_latency;
-        if (instruction.opcode == Opcode::Divs) slot_ready = clock + target_.config->div_latency;
+        track(instruction, clock, slot);
         clocks = std::max(clocks, target_.config->clocks(instruction.opcode));
-        if (clocks > 1 &&
-            (instruction.opcode == Opcode::Mul || instruction.opcode == Opcode::Div)) {
-          slot_ready = 0;
-        }
         step.push_back(instruction);
       }
       clock += clocks;
@@ -61,8 +57,20 @@ class Generator {
     return program;
   }
 
+  // A word device that only an indexed write can reach. It begins as 0, so that IX can name a
+  // device.
+  static constexpr int kZeroWord = 100;
+
  private:
   static constexpr int kDevices = 6;
+
+  // From which clock on a slot's unit and index may be used.
+  struct Slot {
+    int unit = 0;
+    bool wide = false;  // the unit's operation has 32 bits
+    bool high = false;  // there was an LDH
+    int index = std::numeric_limits<int>::max();
+  };
 
   isa::SlotInstruction instruction() {
     isa::SlotInstruction out;
@@ -77,39 +85,118 @@ class Generator {
         break;
       case isa::Format::Bit:
         out.a = operand(bit_devices);
-        if (info.gate == isa::Gate::Exc) out.always = below(2) == 0;
+        if (info.gate == isa::Gate::Exc || out.opcode == Opcode::Get) out.always = below(2) == 0;
+        if (out.opcode == Opcode::Mvbx) out.a.n0 = false;
         if (target_.mpu == isa::Mpu::Mpu1) {
           out.a.n0 = false;
           break;
         }
         out.b = operand(bit_devices);
         out.c = operand(bit_devices);
-        if (info.gate != isa::Gate::Exc) {
+        if (info.gate != isa::Gate::Exc && out.opcode != Opcode::Get) {
           out.row = static_cast<std::uint8_t>(below(isa::constant::lut_rows));
         }
         break;
+      case isa::Format::Test:
+        (target_.mpu == isa::Mpu::Mpu1 ? out.a : out.c).device = device(bit_devices);
+        word_sources(out);
+        break;
       case isa::Format::Word:
-        out.kind = static_cast<isa::WordKind>(below(3));
-        out.rs = device(word_devices);
         out.rd = device(word_devices);
-        out.source = out.kind == isa::WordKind::Devices ? device(word_devices) : word();
-        out.always = below(3) != 0;
+        word_sources(out);
+        if (out.opcode == Opcode::Ix && below(8) != 0) {
+          out.kind = below(2) == 0 ? isa::WordKind::DeviceConstant : isa::WordKind::ConstantDevice;
+          out.rs = kZeroWord;
+          out.source = device(below(2) == 0 ? bit_devices : word_devices);
+        }
         break;
     }
     return out;
   }
 
+  void word_sources(isa::SlotInstruction& out) {
+    const int word_devices = target_.config->word_devices;
+    out.kind = static_cast<isa::WordKind>(below(3));
+    out.rs = device(word_devices);
+    out.source = out.kind == isa::WordKind::Devices ? device(word_devices) : word();
+    out.always = below(3) != 0;
+  }
+
   isa::BitOperand operand(int devices) { return {device(devices), below(4) == 0}; }
 
-  static bool collects(const isa::SlotInstruction& instruction) {
-    return instruction.opcode == Opcode::Mvl || instruction.opcode == Opcode::Mvh;
+  static bool too_early(const isa::SlotInstruction& instruction, const Slot& slot, int clock) {
+    switch (instruction.opcode) {
+      case Opcode::Mvl:
+      case Opcode::Mvh:
+        return clock < slot.unit;
+      case Opcode::Mv2:
+      case Opcode::Mv3:
+        return clock < slot.unit || !slot.wide;
+      case Opcode::Muld:
+      case Opcode::Divd:
+      case Opcode::Mulds:
+      case Opcode::Divds:
+        return !slot.high;
+      case Opcode::Mvx:
+      case Opcode::Stx:
+      case Opcode::Mvbx:
+      case Opcode::Ldx:
+      case Opcode::Setx:
+      case Opcode::Rstx:
+        return clock < slot.index;
+      default:
+        return false;
+    }
   }
+
+  void track(const isa::SlotInstruction& instruction, int clock, Slot& slot) const {
+    const isa::Config& config = *target_.config;
+    const auto start = [&](int latency, bool wide) {
+      slot.unit = clock + latency;
+      slot.wide = wide;
+    };
+    switch (instruction.opcode) {
+      case Opcode::Mul:
+      case Opcode::Div:
+        return start(0, false);  // the processor waits
+      case Opcode::Muld:
+      case Opcode::Divd:
+        return start(0, true);
+      case Opcode::Muls:
+        return start(config.mul_latency, false);
+      case Opcode::Divs:
+        return start(config.div_latency, false);
+      case Opcode::Mulds:
+        return start(config.mul32_latency, true);
+      case Opcode::Divds:
+        return start(config.div32_latency, true);
+      case Opcode::Ldh:
+        slot.high = true;
+        return;
+      case Opcode::Ix:
+        slot.index = clock + isa::constant::index_latency;
+        return;
+      default:
+        return;
+    }
+  }
+
+  // Whether both slots could write one device; where an indexed write goes is not known here.
   static bool conflicts(const isa::SlotInstruction& instruction, const Step& step) {
+    const auto writes_bit = [](const isa::SlotInstruction& i) {
+      return isa::info(i.opcode).format == isa::Format::Bit ||
+             isa::info(i.opcode).format == isa::Format::Test;
+    };
+    const auto indexed = [](const isa::SlotInstruction& i) {
+      return i.opcode == Opcode::Stx || i.opcode == Opcode::Setx || i.opcode == Opcode::Rstx;
+    };
+    if (instruction.opcode == Opcode::Nop) return false;
     for (const isa::SlotInstruction& other : step) {
-      const auto format = isa::info(instruction.opcode).format;
-      if (format != isa::info(other.opcode).format) continue;
-      if (format == isa::Format::Bit && other.c.device == instruction.c.device) return true;
-      if (format == isa::Format::Word && other.rd == instruction.rd) return true;
+      if (other.opcode == Opcode::Nop || writes_bit(instruction) != writes_bit(other)) continue;
+      if (indexed(instruction) || indexed(other)) return true;
+      if (writes_bit(other) ? other.c.device == instruction.c.device : other.rd == instruction.rd) {
+        return true;
+      }
     }
     return false;
   }
@@ -144,6 +231,7 @@ TEST_P(RandomPrograms, EqualTheStepModel) {
     for (int device = 0; device < bench.config().word_devices; ++device) {
       bench.set_word(device, generator.word());
     }
+    bench.set_word(Generator::kZeroWord, 0);
     const std::string replay = fmt::format(
         "seed {}; replay: RUNG_SEED={} unit_rtl --gtest_filter='*RandomPrograms*/mpu{}_{}'", seed,
         seed, static_cast<int>(bench.mpu()), bench.config().name);

@@ -2,6 +2,7 @@
 #include "unit/step_model.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 
 namespace rung::tb {
@@ -41,7 +42,8 @@ std::vector<Retired> StepModel::scan(const std::vector<Step>& program, std::uint
 
 Retired StepModel::execute(const isa::SlotInstruction& instruction, Slot& slot) {
   Retired out;
-  if (isa::info(instruction.opcode).format == isa::Format::Word) {
+  const isa::Format format = isa::info(instruction.opcode).format;
+  if (format == isa::Format::Word || format == isa::Format::Test) {
     execute_word(instruction, slot, out);
   } else {
     execute_bit(instruction, slot, out);
@@ -65,11 +67,20 @@ void StepModel::execute_bit(const isa::SlotInstruction& instruction, Slot& slot,
   };
   const bool mpu1 = mpu_ == isa::Mpu::Mpu1;
   const bool exc = slot.exc;
-  const bool a = value(instruction.a);
+  const bool indexed_source =
+      instruction.opcode == Opcode::Mvbx || instruction.opcode == Opcode::Ldx;
+  const bool indexed_target =
+      instruction.opcode == Opcode::Setx || instruction.opcode == Opcode::Rstx;
+  const bool a = indexed_source ? bits[indexed_bit(slot)] : value(instruction.a);
   const auto write = [&](bool bit) {
     out.bit_we = true;
     out.bit_address = mpu1 ? instruction.a.device : instruction.c.device;
+    if (indexed_target) out.bit_address = static_cast<std::uint16_t>(indexed_bit(slot));
     out.bit_value = bit;
+  };
+  const auto gather = [&](const isa::BitOperand& operand) {
+    slot.acc =
+        static_cast<std::uint16_t>(slot.acc << 1 | (!operand.n0 && bits[operand.device] ? 1 : 0));
   };
   switch (instruction.opcode) {
     case Opcode::Lut:
@@ -86,6 +97,7 @@ void StepModel::execute_bit(const isa::SlotInstruction& instruction, Slot& slot,
     }
     case Opcode::Ld:
     case Opcode::Ldi:
+    case Opcode::Ldx:
       if (mpu1) push(slot.block, exc);
       slot.exc = a != (instruction.opcode == Opcode::Ldi);
       break;
@@ -107,6 +119,12 @@ void StepModel::execute_bit(const isa::SlotInstruction& instruction, Slot& slot,
     case Opcode::Orb:
       slot.exc = pop(slot.block) || exc;
       break;
+    case Opcode::Pop:
+      slot.exc = pop(slot.block);
+      break;
+    case Opcode::Inv:
+      slot.exc = !exc;
+      break;
     case Opcode::Mps:
       push(slot.branch, exc);
       break;
@@ -120,8 +138,21 @@ void StepModel::execute_bit(const isa::SlotInstruction& instruction, Slot& slot,
       write(exc);
       break;
     case Opcode::Set:
+    case Opcode::Setx:
+      if (exc || instruction.always) write(true);
+      break;
     case Opcode::Rst:
-      if (exc || instruction.always) write(instruction.opcode == Opcode::Set);
+    case Opcode::Rstx:
+      if (exc || instruction.always) write(false);
+      break;
+    case Opcode::Mvbx:
+      write(a);
+      break;
+    case Opcode::Get:
+      if (instruction.always) slot.acc = 0;
+      gather(instruction.a);
+      if (!mpu1) gather(instruction.b);
+      if (!mpu1) gather(instruction.c);
       break;
     default:
       break;
@@ -145,49 +176,150 @@ void StepModel::execute_word(const isa::SlotInstruction& instruction, Slot& slot
     out.word_address = instruction.rd;
     out.word_value = static_cast<std::uint16_t>(value);
   };
-  const bool divide = instruction.opcode == Opcode::Div || instruction.opcode == Opcode::Divs;
+  // A sum's or a difference's carry or borrow is kept, executed or not.
+  const auto sum = [&](int addend, int carry) {
+    slot.carry = s1 + addend + carry > 0xffff;
+    write(run, s1 + addend + carry);
+  };
+  const auto difference = [&](int borrow) {
+    const int subtrahend = s2 + borrow;
+    slot.carry = s1 < subtrahend;
+    return s1 - subtrahend;
+  };
   switch (instruction.opcode) {
     case Opcode::Mv:
       write(run, s2);
       break;
     case Opcode::Add:
-      write(run, s1 + s2);
+      sum(s2, 0);
+      break;
+    case Opcode::Adc:
+      sum(s2, slot.carry ? 1 : 0);
       break;
     case Opcode::Sub:
-      write(run, s1 - s2);
+      write(run, difference(0));
+      break;
+    case Opcode::Sbc:
+      write(run, difference(slot.carry ? 1 : 0));
+      break;
+    case Opcode::Cmp:
+      difference(0);
+      break;
+    case Opcode::Wand:
+      write(run, s1 & s2);
+      break;
+    case Opcode::Wor:
+      write(run, s1 | s2);
+      break;
+    case Opcode::Wxor:
+      write(run, s1 ^ s2);
+      break;
+    case Opcode::Rol:
+      write(run, std::rotl(s1, s2 & 15));
+      break;
+    case Opcode::Minu:
+      write(run, std::min(s1, s2));
+      break;
+    case Opcode::Eq:
+    case Opcode::Lt:
+    case Opcode::Ltu:
+    case Opcode::Ltc:
+    case Opcode::Tb:
+      out.bit_value = test(instruction.opcode, s1, s2, slot);
+      out.bit_we = run;
+      out.bit_address = mpu_ == isa::Mpu::Mpu1 ? instruction.a.device : instruction.c.device;
+      break;
+    case Opcode::Mva:
+      write(run, slot.acc);
+      break;
+    case Opcode::Ix:
+      slot.ix = static_cast<std::uint16_t>(s1 + s2);
+      break;
+    case Opcode::Mvx:
+      write(run, words[indexed_word(slot)]);
+      break;
+    case Opcode::Stx:
+      write(run, s2);
+      out.word_address = static_cast<std::uint16_t>(indexed_word(slot));
+      break;
+    case Opcode::Ldh:
+      slot.high1 = s1;
+      slot.high2 = s2;
       break;
     case Opcode::Mul:
     case Opcode::Div:
+    case Opcode::Muld:
+    case Opcode::Divd:
+      start_unit(instruction.opcode, s1, s2, run, slot);
+      write(slot.unit_valid, slot.unit[0]);
+      break;
     case Opcode::Muls:
     case Opcode::Divs:
-      start_unit(divide, static_cast<std::int16_t>(s1), static_cast<std::int16_t>(s2), run, slot);
-      if (instruction.opcode == Opcode::Mul || instruction.opcode == Opcode::Div) {
-        write(slot.unit_valid, slot.unit_low);
-      }
+    case Opcode::Mulds:
+    case Opcode::Divds:
+      start_unit(instruction.opcode, s1, s2, run, slot);
       break;
     case Opcode::Mvl:
-      write(slot.unit_valid, slot.unit_low);
+      write(slot.unit_valid, slot.unit[0]);
       break;
     case Opcode::Mvh:
-      write(slot.unit_valid, slot.unit_high);
+      write(slot.unit_valid, slot.unit[1]);
+      break;
+    case Opcode::Mv2:
+      write(slot.unit_valid, slot.unit[2]);
+      break;
+    case Opcode::Mv3:
+      write(slot.unit_valid, slot.unit[3]);
       break;
     default:
       break;
   }
 }
 
-void StepModel::start_unit(bool divide, std::int16_t s1, std::int16_t s2, bool run, Slot& slot) {
-  slot.unit_valid = run && !(divide && s2 == 0);
-  if (run && divide && s2 == 0) error = true;
-  if (!slot.unit_valid) return;
-  if (divide) {
-    slot.unit_low = static_cast<std::uint16_t>(s1 / s2);
-    slot.unit_high = static_cast<std::uint16_t>(s1 % s2);
-  } else {
-    const std::int32_t product = s1 * s2;
-    slot.unit_low = static_cast<std::uint16_t>(product);
-    slot.unit_high = static_cast<std::uint16_t>(product >> 16);
+bool StepModel::test(Opcode opcode, std::uint16_t s1, std::uint16_t s2, Slot& slot) {
+  const auto signed1 = static_cast<std::int16_t>(s1);
+  const auto signed2 = static_cast<std::int16_t>(s2);
+  switch (opcode) {
+    case Opcode::Eq:
+      return s1 == s2;
+    case Opcode::Lt:
+      return signed1 < signed2;
+    case Opcode::Ltc:
+      return signed1 - (slot.carry ? 1 : 0) < signed2;
+    case Opcode::Ltu:
+      slot.carry = s1 < s2;
+      return slot.carry;
+    default:  // TB
+      return (s1 >> (s2 & 15) & 1) != 0;
   }
 }
+
+void StepModel::start_unit(Opcode opcode, std::uint16_t s1, std::uint16_t s2, bool run,
+                           Slot& slot) {
+  const bool wide = opcode == Opcode::Muld || opcode == Opcode::Divd || opcode == Opcode::Mulds ||
+                    opcode == Opcode::Divds;
+  const bool divide = opcode == Opcode::Div || opcode == Opcode::Divs || opcode == Opcode::Divd ||
+                      opcode == Opcode::Divds;
+  const auto join = [](std::uint16_t high, std::uint16_t low) {
+    return std::int64_t{static_cast<std::int32_t>(static_cast<std::uint32_t>(high) << 16 | low)};
+  };
+  const std::int64_t a = wide ? join(slot.high1, s1) : std::int64_t{static_cast<std::int16_t>(s1)};
+  const std::int64_t b = wide ? join(slot.high2, s2) : std::int64_t{static_cast<std::int16_t>(s2)};
+  slot.unit_valid = run && !(divide && b == 0);
+  if (run && divide && b == 0) error = true;
+  if (!slot.unit_valid) return;
+  // The result's words from the lowest; a quotient and a remainder stand side by side.
+  const int width = wide ? 32 : 16;
+  const std::uint64_t mask = (std::uint64_t{1} << width) - 1;
+  const std::uint64_t result = divide ? (static_cast<std::uint64_t>(a / b) & mask) |
+                                            static_cast<std::uint64_t>(a % b) << width
+                                      : static_cast<std::uint64_t>(a * b);
+  for (std::size_t i = 0; i < (wide ? 4U : 2U); ++i) {
+    slot.unit[i] = static_cast<std::uint16_t>(result >> 16 * i);
+  }
+}
+
+std::size_t StepModel::indexed_bit(const Slot& slot) const { return slot.ix % bits.size(); }
+std::size_t StepModel::indexed_word(const Slot& slot) const { return slot.ix % words.size(); }
 
 }  // namespace rung::tb

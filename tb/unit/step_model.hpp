@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -33,15 +34,23 @@ class StepModel {
     bool exc = false;
     std::uint16_t block = 0;  // MPU1's stacks, the top in bit 0
     std::uint16_t branch = 0;
+    bool carry = false;
+    std::uint16_t acc = 0;
+    std::uint16_t ix = 0;
     bool unit_valid = false;
-    std::uint16_t unit_low = 0;
-    std::uint16_t unit_high = 0;
+    std::array<std::uint16_t, 4> unit{};  // the words of its result
+    std::uint16_t high1 = 0;              // of LDH
+    std::uint16_t high2 = 0;
   };
 
   Retired execute(const isa::SlotInstruction& instruction, Slot& slot);
   void execute_bit(const isa::SlotInstruction& instruction, Slot& slot, Retired& out) const;
   void execute_word(const isa::SlotInstruction& instruction, Slot& slot, Retired& out);
-  void start_unit(bool divide, std::int16_t s1, std::int16_t s2, bool run, Slot& slot);
+  // What EQ to TB find; LTU sets the slot's carry.
+  static bool test(isa::Opcode opcode, std::uint16_t s1, std::uint16_t s2, Slot& slot);
+  void start_unit(isa::Opcode opcode, std::uint16_t s1, std::uint16_t s2, bool run, Slot& slot);
+  std::size_t indexed_bit(const Slot& slot) const;
+  std::size_t indexed_word(const Slot& slot) const;
 
   isa::Mpu mpu_;
   const isa::Config& config_;

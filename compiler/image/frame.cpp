@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "image/frame.hpp"
+
+#include <cassert>
+#include <set>
+
+namespace rung::image {
+
+using isa::SlotInstruction;
+using isa::WordKind;
+
+Addresses::Addresses(const Program& source, const core::Program& program) {
+  std::set<Device> all;
+  for (const Device device : named_devices(source)) all.insert(device);
+  for (const Device device : core::devices(program)) all.insert(device);
+  // Hidden kinds stand last among the bits and among the words.
+  for (const Device device : all) devices_[device] = is_word(device) ? words_++ : bits_++;
+}
+
+Image start_image(const Program& source, const core::Program& program, const Addresses& addresses,
+                  const isa::Config& config, isa::Mpu mpu) {
+  Image image;
+  image.program = source.file;
+  image.dialect = dialect_name(source.dialect);
+  image.mpu = mpu;
+  image.config = config.name;
+  for (const auto& [device, address] : addresses.devices()) {
+    if (is_hidden(device.kind)) continue;
+    const auto comment = source.comments.find(device);
+    image.devices.push_back({device_name(device, source.dialect), device, address,
+                             comment == source.comments.end() ? std::string() : comment->second});
+    int& hidden = is_word(device) ? image.first_hidden_word : image.first_hidden_bit;
+    hidden = address + 1;
+  }
+  for (const core::TickWord& word : program.ticks) {
+    image.ticks.push_back({addresses.of(word.device), word.base_us});
+  }
+  for (const Instruction& instruction : source.instructions) {
+    image.source.push_back({instruction.position, instruction.text});
+  }
+  const ProgramCounts counts = count(source);
+  image.statistics.rungs = counts.networks;
+  image.statistics.instructions = counts.instructions;
+  image.statistics.contacts = counts.contacts;
+  image.statistics.runs = static_cast<int>(counts.run_lengths.size());
+  image.statistics.bit_devices = addresses.bits();
+  image.statistics.word_devices = addresses.words();
+  return image;
+}
+
+void set_sources(SlotInstruction& out, const core::WordSource& first,
+                 const core::WordSource& second, const Addresses& addresses) {
+  const bool one_operand = out.opcode == isa::Opcode::Mv || out.opcode == isa::Opcode::Stx;
+  assert(!first.constant || !second.constant || one_operand);
+  const auto value = [](const core::WordSource& source) {
+    return static_cast<std::uint16_t>(source.value);
+  };
+  if (second.constant) {
+    out.kind = WordKind::DeviceConstant;
+    out.rs = first.constant ? std::uint16_t{0} : addresses.of(first.device);
+    out.source = value(second);
+  } else if (first.constant && !one_operand) {
+    out.kind = WordKind::ConstantDevice;
+    out.rs = addresses.of(second.device);
+    out.source = value(first);
+  } else {
+    out.kind = WordKind::Devices;
+    out.rs = first.constant ? std::uint16_t{0} : addresses.of(first.device);
+    out.source = addresses.of(second.device);
+  }
+}
+
+}  // namespace rung::image

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// Many programs as C in one translation unit: compiled once, run as one process.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "agree/case.hpp"
+
+namespace rung::tb {
+
+struct CRun {
+  std::string failure;         // what the compiler said, or that the process ended early
+  std::vector<States> states;  // of each case
+};
+
+// Translates, compiles and runs `cases`; files named after `name` are left in `folder`. Warnings
+// are errors, and undefined behaviour ends the process.
+CRun run_as_c(std::span<const Case> cases, const std::string& folder, const std::string& name);
+
+}  // namespace rung::tb

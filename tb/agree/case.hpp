@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// One random program with what it is given, and how engines that ran it are compared.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "programs/random_melsec.hpp"
+#include "rungs/program.hpp"
+#include "trace/stimulus.hpp"
+
+namespace rung::tb {
+
+struct Case {
+  std::uint64_t seed = 0;
+  std::string text;
+  Program program;
+  std::vector<Device> devices;  // that the program names or its indexed operands reach
+  std::int64_t tick_us = 10000;
+  std::vector<std::vector<StimulusEvent>> events;  // of each scan
+
+  int scans() const { return static_cast<int>(events.size()); }
+};
+
+// The values of all devices of a case after each scan.
+using States = std::vector<std::vector<std::int16_t>>;
+
+// Program number `seed`, of the families in `only` (all if empty).
+std::string text_of(std::uint64_t seed, const std::vector<Family>& only);
+// A program with the stimulus of `seed`; of a case that `text` is a part of, with the same events.
+// Nothing, and why in `messages`, when `text` is refused.
+std::optional<Case> make_case(std::uint64_t seed, const std::string& text, std::string& messages,
+                              const Case* original = nullptr);
+
+// The reference's states.
+States run_reference(const Case& one);
+
+// The first difference of `states` of `engine` from `expected`, for a reader; empty if there is
+// none.
+std::string difference(const Case& one, const States& expected, const States& states,
+                       const std::string& engine);
+
+}  // namespace rung::tb

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fuzz/readers.hpp"
+
+#include <zlib.h>
+
+#include <cstdlib>
+#include <iostream>
+#include <optional>
+#include <string>
+
+#include "backends/list_writer.hpp"
+#include "image/image_file.hpp"
+#include "melsec/comments.hpp"
+#include "melsec/list.hpp"
+#include "melsec/melsec.hpp"
+#include "trace/stimulus.hpp"
+#include "trace/trace.hpp"
+
+namespace rung::fuzz {
+namespace {
+
+void require(bool condition, std::string_view what) {
+  if (condition) return;
+  std::cerr << what << '\n';
+  std::abort();
+}
+
+// What is refused has an error, what is accepted none; and printing the messages must do too.
+void check(bool accepted, const Diagnostics& diagnostics) {
+  require(accepted != diagnostics.has_errors(), "accepted with errors, or refused without");
+  std::string all;
+  for (const Diagnostic& each : diagnostics.all()) all += each.what + each.mend;
+  require(accepted || !all.empty(), "an error without words");
+}
+
+bool same(const Program& left, const Program& right) {
+  if (left.instructions.size() != right.instructions.size()) return false;
+  for (std::size_t i = 0; i < left.instructions.size(); ++i) {
+    const Instruction& a = left.instructions[i];
+    const Instruction& b = right.instructions[i];
+    if (a.op != b.op || a.operands != b.operands || a.width != b.width || a.pulse != b.pulse ||
+        a.relation != b.relation || a.base_us != b.base_us || a.destination != b.destination) {
+      return false;
+    }
+  }
+  return true;
+}
+
+// Through every dialect; what is accepted is written as a list, which must be the same program.
+void read_program(std::string_view bytes, const std::string& file) {
+  Diagnostics decoding;
+  const auto text = decode_text(bytes, file, decoding);
+  check(text.has_value(), decoding);
+  if (!text) return;
+  for (const std::optional<Dialect> dialect :
+       {std::optional<Dialect>(), std::optional(Dialect::Paper), std::optional(Dialect::Fx),
+        std::optional(Dialect::Q)}) {
+    Diagnostics diagnostics;
+    const auto program = parse_melsec(*text, dialect, diagnostics);
+    check(program.has_value(), diagnostics);
+    if (!program) continue;
+    Diagnostics again;
+    const auto list = decode_text(to_list(*program), "again.il", again);
+    require(list.has_value(), "the written list is no text");
+    const auto back = parse_list(*list, program->dialect, again);
+    require(back.has_value() && same(*program, *back), "the written list is another program");
+  }
+}
+
+// The suffix frees it from the need of an END.
+void read_list(std::string_view bytes) { read_program(bytes, "fuzz.esc"); }
+
+void read_csv(std::string_view bytes) { read_program(bytes, "fuzz.csv"); }
+
+void read_comments(std::string_view bytes) {
+  Diagnostics decoding;
+  const auto text = decode_text(bytes, "comments.csv", decoding);
+  if (!text) return;
+  for (const Dialect dialect : {Dialect::Paper, Dialect::Fx, Dialect::Q}) {
+    Diagnostics diagnostics;
+    check(parse_comments(*text, dialect, diagnostics).has_value(), diagnostics);
+  }
+}
+
+void read_stimulus(std::string_view bytes) {
+  Diagnostics decoding;
+  const auto text = decode_text(bytes, "fuzz.stim", decoding);
+  if (!text) return;
+  for (const Dialect dialect : {Dialect::Paper, Dialect::Fx, Dialect::Q}) {
+    Diagnostics diagnostics;
+    const auto stimulus = parse_stimulus(*text, dialect, diagnostics);
+    check(stimulus.has_value(), diagnostics);
+    if (stimulus && stimulus->scans() > 0) {
+      static_cast<void>(stimulus->events(0));
+      static_cast<void>(stimulus->events(stimulus->scans() - 1));
+    }
+  }
+}
+
+void read_golden(std::string_view bytes) {
+  Diagnostics diagnostics;
+  const auto trace = read_trace(bytes, "fuzz.golden", diagnostics);
+  check(trace.has_value(), diagnostics);
+  if (!trace) return;
+  for (const Dialect dialect : {Dialect::Fx, Dialect::Q}) {
+    Diagnostics more;
+    const auto stimulus = stimulus_of(*trace, dialect, "fuzz.golden", more);
+    check(stimulus.has_value(), more);
+  }
+  Diagnostics again;
+  const auto back = read_trace(to_json_lines(*trace), "again.golden", again);
+  require(back.has_value() && back->scans.size() == trace->scans.size(),
+          "the written trace is another one");
+}
+
+// A whole image file whose contents are `payload`: else the checksum would keep all others out.
+std::string wrapped(std::string_view payload) {
+  std::string file = "RUNGIMG";
+  file += static_cast<char>(image::kFormatVersion);
+  const auto add = [&](std::uint32_t value) {
+    for (int i = 0; i < 4; ++i) file += static_cast<char>(value >> (8 * i) & 0xFFU);
+  };
+  add(static_cast<std::uint32_t>(payload.size()));
+  add(static_cast<std::uint32_t>(
+      crc32(0, reinterpret_cast<const Bytef*>(payload.data()), static_cast<uInt>(payload.size()))));
+  file += payload;
+  return file;
+}
+
+void read_image_file(std::string_view bytes) {
+  Diagnostics diagnostics;
+  const auto image = image::from_bytes(bytes, "fuzz.img", diagnostics);
+  check(image.has_value(), diagnostics);
+  if (!image) return;
+  static_cast<void>(image::listing(*image));
+  Diagnostics again;
+  require(image::from_bytes(image::to_bytes(*image), "again.img", again).has_value(),
+          "the written image cannot be read");
+}
+
+void read_image(std::string_view bytes) {
+  read_image_file(bytes);
+  read_image_file(wrapped(bytes));
+}
+
+constexpr Reader kReaders[] = {
+    {"list", read_list},         {"csv", read_csv},      {"comments", read_comments},
+    {"stimulus", read_stimulus}, {"trace", read_golden}, {"image", read_image},
+};
+
+}  // namespace
+
+std::span<const Reader> readers() { return kReaders; }
+
+}  // namespace rung::fuzz

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// What fuzzing has found worth keeping (corpus/), read again with the sanitizers of the test build.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "fuzz/readers.hpp"
+
+namespace rung::fuzz {
+namespace {
+
+class Corpus : public testing::TestWithParam<Reader> {};
+
+TEST_P(Corpus, IsReadWithoutAFault) {
+  const std::filesystem::path folder =
+      std::filesystem::path(RUNG_REPOSITORY) / "tb/fuzz/corpus" / GetParam().name;
+  int files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    std::ifstream in(entry.path(), std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+    SCOPED_TRACE(entry.path());
+    GetParam().read(bytes);
+    ++files;
+  }
+  EXPECT_GT(files, 5) << folder;
+}
+
+INSTANTIATE_TEST_SUITE_P(Readers, Corpus, testing::ValuesIn(readers().begin(), readers().end()),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+}  // namespace
+}  // namespace rung::fuzz

@@ -34,21 +34,16 @@ void pulse_output(CUnit& unit, const Instruction& instruction, const COperands& 
 }
 
 void shift_one(CUnit& unit, const Instruction& instruction, const CCondition& condition) {
-  Operand before = instruction.operand(0);
-  const bool word_bit = before.kind == Operand::Kind::WordBit;
-  const bool first = word_bit ? before.bit == 0 : before.device.number == 0;
-  if (word_bit) {
-    --before.bit;
+  const Device bit = instruction.operand(0).device;
+  unit.body.open("if ({}) {{", bare(condition.executed));
+  if (bit.number == 0) {
+    unit.body.line("{} = 0;", unit.layout.place(bit));
   } else {
-    --before.device.number;
+    const std::string before = unit.layout.place({bit.kind, bit.number - 1});
+    unit.body.line("{} = {};", unit.layout.place(bit), before);
+    unit.body.line("{} = 0;", before);
   }
-  Instruction both = instruction;
-  both.operands = {instruction.operand(0), before};
-  const COperands operands(unit, both);
-  write_guarded(unit, operands, condition.executed, [&] {
-    unit.body.code(operands.set_bit(0, first ? "0" : operands.bit(1)));
-    if (!first) unit.body.code(operands.set_bit(1, "0"));
-  });
+  unit.body.close();
 }
 
 }  // namespace

@@ -9,25 +9,17 @@
 namespace rung {
 namespace {
 
-// The words of a block where they follow each other in an array; nothing where they do not, as in
-// digit groups or in 32-bit counters, whose high words are elsewhere.
-std::optional<std::string> words(const CUnit& unit, const Operand& head, std::uint32_t count) {
-  const bool counters = is_counter(head.device.kind);
-  if (head.kind != Operand::Kind::Device || !is_word(head.device) || counters) return std::nullopt;
-  return unit.layout.run(head.device, count);
-}
+bool is_row(const Operand& head) { return head.kind == Operand::Kind::Device; }
 
 void block_move(CUnit& unit, const Instruction& instruction, const COperands& operands) {
   const Operand& source = instruction.operand(0);
   const Operand& target = instruction.operand(1);
   const int count = instruction.operand(2).value;
   const int width = instruction.width;
-  const auto size = static_cast<std::uint32_t>(count * width / 16);
-  const auto from = words(unit, source, size);
-  const auto to = words(unit, target, size);
-  if (from && to) {
-    unit.body.line("const int16_t *const s = {};", *from);
-    unit.body.line("int16_t *const d = {};", *to);
+  if (is_row(source) && is_row(target)) {
+    const int size = count * width / 16;
+    unit.body.line("const int16_t *const s = {};", unit.layout.pointer(source.device));
+    unit.body.line("int16_t *const d = {};", unit.layout.pointer(target.device));
     unit.body.line("uint32_t i;");
     // Where they overlap, what is still to be read must not be written before.
     const bool descending = source.device < target.device;
@@ -48,10 +40,9 @@ void fill_move(CUnit& unit, const Instruction& instruction, const COperands& ope
   const Operand& target = instruction.operand(1);
   const int count = instruction.operand(2).value;
   const int width = instruction.width;
-  const auto to = words(unit, target, static_cast<std::uint32_t>(count));
-  if (to && width == 16) {
+  if (is_row(target) && width == 16) {
     unit.body.line("const int16_t v = (int16_t){};", operands.value(0));
-    unit.body.line("int16_t *const d = {};", *to);
+    unit.body.line("int16_t *const d = {};", unit.layout.pointer(target.device));
     unit.body.line("uint32_t i;");
     unit.body.line("for (i = 0; i < {}u; ++i) d[i] = v;", count);
     return;
@@ -61,31 +52,25 @@ void fill_move(CUnit& unit, const Instruction& instruction, const COperands& ope
 }
 
 void clear(CUnit& unit, Device first, std::uint32_t count) {
-  const auto run = unit.layout.run(first, count);
-  if (count > 1 && run) {
-    unit.body.open("{{");
-    unit.body.line("{} *const d = {};", CLayout::type(first.kind), *run);
-    unit.body.line("uint32_t i;");
-    unit.body.line("for (i = 0; i < {}u; ++i) d[i] = 0;", count);
-    unit.body.close();
-    return;
-  }
-  for (std::uint32_t i = 0; i < count; ++i) {
-    unit.body.line("{} = 0;", unit.layout.place({first.kind, first.number + i}));
-  }
+  if (count == 1) return unit.body.line("{} = 0;", unit.layout.place(first));
+  unit.body.open("{{");
+  unit.body.line("{} *const d = {};", CLayout::type(first.kind), unit.layout.pointer(first));
+  unit.body.line("uint32_t i;");
+  unit.body.line("for (i = 0; i < {}u; ++i) d[i] = 0;", count);
+  unit.body.close();
 }
 
 void reset_range(CUnit& unit, Device first, Device last) {
-  const std::uint32_t end = std::max(first.number, last.number);
-  const std::uint32_t count = end - first.number + 1;
+  const std::uint32_t count = std::max(first.number, last.number) - first.number + 1;
   if (!is_timer(first.kind) && !is_counter(first.kind)) return clear(unit, first, count);
   const Device contact = contact_of(first);
+  const Device value = value_of(contact);
   clear(unit, contact, count);
-  clear(unit, value_of(contact), count);
-  if (!is_32_bit_counter({contact.kind, end}, unit.program.dialect)) return;
-  // A range may begin among the counters of 16 bits.
-  const std::uint32_t high = std::max(first.number, 200U);
-  clear(unit, {DeviceKind::CNH, high}, end - high + 1);
+  clear(unit, value, count);
+  // All of them are of one width.
+  if (is_32_bit_counter(contact, unit.program.dialect)) {
+    clear(unit, high_word(value, unit.program.dialect), count);
+  }
 }
 
 }  // namespace

@@ -95,7 +95,14 @@ static uint32_t @_from_bcd(uint32_t digits) {
     {CHelper::FallBits, "fall_bits", kFall},
     {CHelper::RiseWords, "rise_words", kRise},
     {CHelper::FallWords, "fall_words", kFall},
-    {CHelper::Ticks, "ticks", ""},
+    {CHelper::Ticks, "ticks",
+     R"(/* How many times `base` went by in the time elapsed; *rest is what is left of it. */
+static uint16_t @_ticks(uint32_t elapsed, uint32_t *rest, uint32_t base) {
+  const uint32_t sum = *rest + elapsed % base;
+  const uint32_t ticks = elapsed / base + sum / base;
+  *rest = sum % base;
+  return (uint16_t)(ticks < 32767u ? ticks : 32767u);
+})"},
     {CHelper::Timer, "timer",
      R"(/* OUT T. State: bit 0 is the coil, bit 1 says that this scan's ticks were used. */
 static void @_timer(uint8_t *contact, int16_t *value, uint8_t *state, unsigned cond,
@@ -169,16 +176,20 @@ std::string CHelpers::use(CHelper helper) {
   const Entry& entry = kEntries[static_cast<std::size_t>(helper)];
   used_.insert(helper);
   if (entry.needs) used_.insert(*entry.needs);
-  return "@_" + std::string(entry.name);
+  return (shared_ && !entry.text.empty() ? "plc_" : "@_") + std::string(entry.name);
 }
 
 void CHelpers::write(CSource& source) const {
+  CSource common("Plc");
+  CSource& lines = shared_ ? common : source;
   for (const CHelper helper : used_) {
     const Entry& entry = kEntries[static_cast<std::size_t>(helper)];
     if (entry.text.empty()) continue;
-    source.code(fill(entry));
-    source.blank();
+    if (shared_) lines.line("#ifndef PLC_HAS_{0}\n#define PLC_HAS_{0}", entry.name);
+    lines.code(fill(entry));
+    lines.code(shared_ ? "#endif\n" : "");
   }
+  if (shared_) source.append(common);
 }
 
 }  // namespace rung

@@ -25,7 +25,7 @@ enum class CHelper : std::uint8_t {
   FallBits,       // SFTR
   RiseWords,      // the same for words: WSFL
   FallWords,      // WSFR
-  Ticks,          // uint16_t ticks(uint32_t *phase, uint32_t base)
+  Ticks,          // uint16_t ticks(uint32_t elapsed, uint32_t *rest, uint32_t base)
   Timer,          // void timer(contact, value, state, cond, preset, ticks, retentive)
   Counter,        // void counter(contact, value, state, cond, preset)
   DoubleCounter,  // void double_counter(contact, low, high, state, cond, preset, down)
@@ -34,13 +34,17 @@ enum class CHelper : std::uint8_t {
 
 class CHelpers {
  public:
+  // Shared by several programs in one file: they are `plc_word` in each, and written once a file.
+  explicit CHelpers(bool shared) : shared_(shared) {}
+
   // Its name, `@_word`; from now on it is needed.
   std::string use(CHelper helper);
   bool used(CHelper helper) const { return used_.contains(helper); }
-  // All but Fault and Ticks, which know the program's devices: c_interface writes those.
+  // All but Fault, which knows the program's devices and is written with them.
   void write(CSource& source) const;
 
  private:
+  bool shared_;
   std::set<CHelper> used_;
 };
 

@@ -49,6 +49,7 @@ void head_comment(const CUnit& unit, CSource& source) {
   source.comment(fmt::format("/* {}, dialect {}, as C99: {} networks, {} instructions.",
                              comment_text(program.file), dialect_name(program.dialect),
                              program.networks.size(), program.instructions.size()));
+  if (unit.options.bare) return source.comment(" */");
   source.code(R"( *
  * Before a scan give the inputs with $WriteX, then call $Cycle, then read the outputs with
  * $ReadY: nothing is to be put out while it runs. Timers and clock relays go by the time between
@@ -117,18 +118,38 @@ void access_by_number(const CUnit& unit, DeviceKind kind, CSource& source) {
   source.blank();
 }
 
-void access_by_name(const CUnit& unit, CSource& source) {
-  source.line("static const struct {{");
-  source.line("  const char *name;");
-  source.line("  uint8_t *bit;");
-  source.line("  int16_t *word;");
-  source.open("}} @_table[] = {{");
+// A row for each device that a name leads to.
+void table_rows(const CUnit& unit, CSource& source) {
   for (const Device device : unit.layout.reachable()) {
     const std::string place = "&" + unit.layout.place(device);
     source.line("{{\"{}\", {}, {}}},", device_name(device, unit.program.dialect),
                 is_word(device) ? "0" : place, is_word(device) ? place : "0");
   }
   source.line("{{0, 0, 0}}");
+}
+
+void bare_table(const CUnit& unit, CSource& source) {
+  source.code(R"(#ifndef PLC_HAS_device
+#define PLC_HAS_device
+struct plc_device {
+  const char *name;
+  uint8_t *bit;
+  int16_t *word;
+};
+#endif)");
+  source.open("static const struct plc_device $Devices[] = {{");
+  table_rows(unit, source);
+  source.close("};");
+  source.blank();
+}
+
+void access_by_name(const CUnit& unit, CSource& source) {
+  source.line("static const struct {{");
+  source.line("  const char *name;");
+  source.line("  uint8_t *bit;");
+  source.line("  int16_t *word;");
+  source.open("}} @_table[] = {{");
+  table_rows(unit, source);
   source.close("};");
   source.code(R"(
 /* The index of a name, or of the row after the last. */
@@ -163,17 +184,7 @@ int $Set(const char *device, long value) {
 )");
 }
 
-}  // namespace
-
-std::string time_name(std::string_view what, std::int64_t us) {
-  return us % 1000 == 0 ? fmt::format("{}_{}ms", what, us / 1000)
-                        : fmt::format("{}_{}us", what, us);
-}
-
-void write_declarations(const CUnit& unit, bool table, CSource& source) {
-  head_comment(unit, source);
-  source.line("#include <stdint.h>");
-  source.blank();
+void prototypes(const CUnit& unit, CSource& source) {
   source.line(
       "void $Reset(void);  /* as at the start: all devices 0, the next scan is the first */");
   source.line("void $Cycle(void);  /* one scan */");
@@ -184,12 +195,15 @@ void write_declarations(const CUnit& unit, bool table, CSource& source) {
     source.line("void $Write{}(uint32_t number, {} value);", CLayout::array(kind),
                 CLayout::type(kind));
   }
-  if (table) {
+  if (unit.options.table) {
     source.line("/* By its name: \"X10\", \"TN5\", \"CN200:h\". No device of the program: 0. */");
     source.line("long $Get(const char *device);");
     source.line("int $Set(const char *device, long value);");
   }
   source.blank();
+}
+
+void variables(const CUnit& unit, CSource& source) {
   comments(unit, source);
   source.open("static struct {{");
   source.line("uint32_t elapsed;");
@@ -226,25 +240,44 @@ void write_declarations(const CUnit& unit, bool table, CSource& source) {
   source.blank();
 }
 
-void write_accessors(const CUnit& unit, bool table, CSource& source) {
-  for (const DeviceKind kind : access_kinds(unit)) access_by_number(unit, kind, source);
-  if (table) access_by_name(unit, source);
-  source.code(R"(uint8_t $Error(void) { return @.divided; }
+}  // namespace
 
-void $Elapsed(uint32_t microseconds) { @.elapsed = microseconds; }
-
-void $Reset(void) {
-  /* volatile: a compiler must not make this loop a call of a library's memset. */
-  volatile unsigned char *const byte = (volatile unsigned char *)&@;
-  const uint32_t elapsed = @.elapsed;
-  uint32_t i;
-  for (i = 0; i < sizeof @; ++i) byte[i] = 0;
-  @.elapsed = elapsed;
-}
-)");
+std::string time_name(std::string_view what, std::int64_t us) {
+  return us % 1000 == 0 ? fmt::format("{}_{}ms", what, us / 1000)
+                        : fmt::format("{}_{}us", what, us);
 }
 
-void write_scan_start(const CUnit& unit, CSource& source) {
+void write_declarations(const CUnit& unit, CSource& source) {
+  head_comment(unit, source);
+  source.line("#include <stdint.h>");
+  source.blank();
+  if (!unit.options.bare) prototypes(unit, source);
+  variables(unit, source);
+}
+
+void write_accessors(const CUnit& unit, CSource& source) {
+  const std::string_view linkage = unit.options.bare ? "static " : "";
+  if (unit.options.bare) {
+    bare_table(unit, source);
+  } else {
+    for (const DeviceKind kind : access_kinds(unit)) access_by_number(unit, kind, source);
+    if (unit.options.table) access_by_name(unit, source);
+    source.line("uint8_t $Error(void) {{ return @.divided; }}\n");
+  }
+  source.line("{}void $Elapsed(uint32_t microseconds) {{ @.elapsed = microseconds; }}\n", linkage);
+  source.open("{}void $Reset(void) {{", linkage);
+  source.code(R"(/* volatile: a compiler must not make this loop a call of a library's memset. */
+volatile unsigned char *const byte = (volatile unsigned char *)&@;
+const uint32_t elapsed = @.elapsed;
+uint32_t i;
+for (i = 0; i < sizeof @; ++i) byte[i] = 0;
+@.elapsed = elapsed;)");
+  source.close();
+  source.blank();
+}
+
+void write_scan_start(CUnit& unit) {
+  CSource& source = unit.body;
   const Dialect dialect = unit.program.dialect;
   source.line("@.divided = 0;");
   for (const Device timer : unit.timers) {
@@ -261,13 +294,15 @@ void write_scan_start(const CUnit& unit, CSource& source) {
   }
   const std::vector<const SpecialRange*> named_clocks = clocks(unit);
   if (!named_clocks.empty() || !unit.tick_bases.empty()) {
+    const std::string ticks = unit.helpers.use(CHelper::Ticks);
     source.open("if (@.running) {{");
     for (const std::int64_t base : unit.tick_bases) {
-      source.line("@.{} = @_ticks(&@.{}, {}u);", time_name("ticks", base), time_name("rest", base),
-                  base);
+      source.line("@.{} = {}(@.elapsed, &@.{}, {}u);", time_name("ticks", base), ticks,
+                  time_name("rest", base), base);
     }
     for (const SpecialRange* const clock : named_clocks) {
-      source.line("@_ticks(&@.{}, {}u);", time_name("clock", clock->period_us), clock->period_us);
+      source.line("{}(@.elapsed, &@.{}, {}u);", ticks, time_name("clock", clock->period_us),
+                  clock->period_us);
     }
     source.close();
     // A clock is on in the second half of its period.
@@ -279,27 +314,15 @@ void write_scan_start(const CUnit& unit, CSource& source) {
   source.line("@.running = 1;");
 }
 
-void write_time_and_faults(const CUnit& unit, CSource& source) {
-  if (!clocks(unit).empty() || !unit.tick_bases.empty()) {
-    source.code(
-        R"(/* How many times `base` went by since the scan before; *rest is what is left of it. */
-static uint16_t @_ticks(uint32_t *rest, uint32_t base) {
-  const uint32_t sum = *rest + @.elapsed % base;
-  const uint32_t ticks = @.elapsed / base + sum / base;
-  *rest = sum % base;
-  return (uint16_t)(ticks < 32767u ? ticks : 32767u);
-}
-)");
+void write_fault(const CUnit& unit, CSource& source) {
+  if (!unit.helpers.used(CHelper::Fault)) return;
+  source.line("/* An instruction that could not be executed. */");
+  source.open("static void @_fault(void) {{");
+  for (const Device relay : unit.layout.of_role(SpecialRole::Error)) {
+    source.line("{} = 1;", unit.layout.place(relay));
   }
-  if (unit.helpers.used(CHelper::Fault)) {
-    source.line("/* An instruction that could not be executed. */");
-    source.open("static void @_fault(void) {{");
-    for (const Device relay : unit.layout.of_role(SpecialRole::Error)) {
-      source.line("{} = 1;", unit.layout.place(relay));
-    }
-    source.close();
-    source.blank();
-  }
+  source.close();
+  source.blank();
 }
 
 }  // namespace rung

@@ -9,12 +9,12 @@ namespace rung {
 
 // The head comment, the prototypes and the variables. The instructions are in `unit.body` already,
 // so that it is known what they need.
-void write_declarations(const CUnit& unit, bool table, CSource& source);
-// The functions that know the devices: reset, access by number and by name.
-void write_accessors(const CUnit& unit, bool table, CSource& source);
-// At the beginning of a scan: time, special relays.
-void write_scan_start(const CUnit& unit, CSource& source);
-// Helpers that time and errors need.
-void write_time_and_faults(const CUnit& unit, CSource& source);
+void write_declarations(const CUnit& unit, CSource& source);
+// The functions that know the devices: reset, access by number and by name; or the bare table.
+void write_accessors(const CUnit& unit, CSource& source);
+// At the beginning of a scan, to the body: time, special relays.
+void write_scan_start(CUnit& unit);
+// The helper that sets the error relays.
+void write_fault(const CUnit& unit, CSource& source);
 
 }  // namespace rung

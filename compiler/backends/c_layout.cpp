@@ -21,13 +21,7 @@ CLayout::CLayout(const Program& program)
   for (const Device device : devices_) {
     if (!special(device)) reach(device.kind, device.number);
   }
-  for (const IndexWindow& window : windows_) {
-    reach(window.kind, window.last);
-    // A 32-bit access by index to a counter takes its high word along.
-    if (window.kind == DeviceKind::CN && size(DeviceKind::CNH) > 0) {
-      reach(DeviceKind::CNH, window.last);
-    }
-  }
+  for (const IndexWindow& window : windows_) reach(window.kind, window.last);
 }
 
 std::vector<Device> CLayout::reachable() const {
@@ -59,13 +53,6 @@ std::string CLayout::number(Device device) const {
 std::string CLayout::place(Device device) const {
   if (special(device)) return fmt::format("@.{}{}", array(device.kind), device.number);
   return fmt::format("@.{}[{}]", array(device.kind), number(device));
-}
-
-std::optional<std::string> CLayout::run(Device first, std::uint32_t count) const {
-  for (std::uint32_t i = 0; i < count; ++i) {
-    if (special({first.kind, first.number + i})) return std::nullopt;
-  }
-  return "&" + place(first);
 }
 
 const IndexWindow& CLayout::window(DeviceKind kind) const {

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -34,9 +33,8 @@ class CLayout {
   std::string number(Device device) const;
   // The variable that holds a device.
   std::string place(Device device) const;
-  // A pointer to `count` devices from `first` on; nothing if they do not follow each other in an
-  // array.
-  std::optional<std::string> run(Device first, std::uint32_t count) const;
+  // A pointer to a device and those that follow it. Special relays are in no digit group or range.
+  std::string pointer(Device first) const { return "&" + place(first); }
   // What an index register reaches. Asked of kinds that the program indexes.
   const IndexWindow& window(DeviceKind kind) const;
   // The special relays of this role that the program names.

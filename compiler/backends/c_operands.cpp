@@ -76,18 +76,8 @@ std::string COperands::value_of(const Operand& operand, const std::vector<std::s
                : fmt::format("{}({}, {})", unit_.helpers.use(CHelper::Pair), words[0], words[1]);
   }
   const int count = 4 * operand.digits;
-  std::string number;
-  if (const auto run = unit_.layout.run(operand.device, static_cast<std::uint32_t>(count))) {
-    number = fmt::format("{}({}, {})", unit_.helpers.use(CHelper::Digits), *run, count);
-  } else {
-    int shift = 0;
-    for (const Device bit : digit_bits(operand)) {
-      number += fmt::format("{}(uint32_t){} << {}", shift == 0 ? "(" : " | ",
-                            unit_.layout.place(bit), shift);
-      ++shift;
-    }
-    number += ')';
-  }
+  const std::string number = fmt::format("{}({}, {})", unit_.helpers.use(CHelper::Digits),
+                                         unit_.layout.pointer(operand.device), count);
   if (count < width) return "(int32_t)" + number;
   return fmt::format("{}({})", unit_.helpers.use(width == 16 ? CHelper::Word : CHelper::Long),
                      number);
@@ -101,22 +91,17 @@ void COperands::store(std::size_t i, int width, std::string_view value) const {
 
 void COperands::store(const Operand& operand, int width, std::string_view value) const {
   if (operand.kind != Kind::Digits) return store_words(places(operand, width), value);
-  const int count = 4 * operand.digits;
-  if (const auto run = unit_.layout.run(operand.device, static_cast<std::uint32_t>(count))) {
-    unit_.body.line("{}({}, {}, {});", unit_.helpers.use(CHelper::SetDigits), *run, count, value);
-    return;
-  }
-  int shift = 0;
-  for (const Device bit : digit_bits(operand)) {
-    unit_.body.line("{} = (uint8_t)({} >> {} & 1u);", unit_.layout.place(bit), value, shift++);
-  }
+  unit_.body.line("{}({}, {}, {});", unit_.helpers.use(CHelper::SetDigits),
+                  unit_.layout.pointer(operand.device), 4 * operand.digits, value);
 }
 
 void COperands::store_words(const std::vector<std::string>& words, std::string_view value) const {
   int shift = 0;
   for (const std::string& word : words) {
-    unit_.body.line("{} = {}({}{});", word, unit_.helpers.use(CHelper::Word), value,
-                    shift == 0 ? "" : fmt::format(" >> {}", shift));
+    const std::string part =
+        shift == 0 ? std::string(value) : fmt::format("{} >> {}", value, shift);
+    unit_.body.line("{} = {}({});", word, unit_.helpers.use(CHelper::Word),
+                    words.size() > 2 ? fmt::format("(uint32_t)({})", part) : part);
     shift += 16;
   }
 }
@@ -136,15 +121,12 @@ void COperands::declare_indices() const {
 }
 
 std::string COperands::outside(std::size_t i, int words) const {
-  const Operand& operand = instruction_.operand(i);
-  const IndexWindow& window = unit_.layout.window(operand.device.kind);
-  const bool separate = words == 2 && is_32_bit_counter(operand.device, unit_.program.dialect);
-  const std::uint32_t first = separate ? std::max(window.first, 200U) : window.first;
-  const std::int64_t last = static_cast<std::int64_t>(window.last) - (separate ? 0 : words - 1);
-  return fmt::format(
-      "i{0} < {1} || i{0} > {2}", i, unit_.layout.number({operand.device.kind, first}),
-      last < 0 ? "-1"
-               : unit_.layout.number({operand.device.kind, static_cast<std::uint32_t>(last)}));
+  const DeviceKind kind = instruction_.operand(i).device.kind;
+  const IndexWindow& window = unit_.layout.window(kind);
+  // The window holds the operand itself, and so all of its words.
+  const std::uint32_t last = window.last - static_cast<std::uint32_t>(words - 1);
+  return fmt::format("i{0} < {1} || i{0} > {2}", i, unit_.layout.number({kind, window.first}),
+                     unit_.layout.number({kind, last}));
 }
 
 std::string COperands::any_outside() const {
@@ -174,12 +156,9 @@ std::string COperands::place(std::size_t i) const {
 std::vector<std::string> COperands::places(std::size_t i, int width) const {
   const Operand& operand = instruction_.operand(i);
   if (!operand.index) return places(operand, width);
-  const std::string array = CLayout::array(operand.device.kind);
   std::vector<std::string> words{place(i)};
   for (int word = 1; word < width / 16; ++word) {
-    const bool high = word == 1 && is_32_bit_counter(operand.device, unit_.program.dialect);
-    words.push_back(high ? fmt::format("@.CNH[i{}]", i)
-                         : fmt::format("@.{}[i{} + {}]", array, i, word));
+    words.push_back(fmt::format("@.{}[i{} + {}]", CLayout::array(operand.device.kind), i, word));
   }
   return words;
 }

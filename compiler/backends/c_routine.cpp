@@ -37,18 +37,11 @@ bool in_parallel(Op op) {
 
 }  // namespace
 
-CRoutine::CRoutine(CUnit& unit, CRange range, std::vector<CRange> without)
-    : unit_(unit), range_(range), without_(std::move(without)) {
+CRoutine::CRoutine(CUnit& unit, CRange range) : unit_(unit), range_(range) {
   for (std::size_t i = range_.first; i < range_.end; ++i) {
     const Instruction& instruction = unit_.program.instructions[i];
-    if (contains(i) && instruction.op == Op::Cj) labels_.insert(instruction.destination);
+    if (instruction.op == Op::Cj) labels_.insert(instruction.destination);
   }
-}
-
-bool CRoutine::contains(std::size_t index) const {
-  return std::none_of(without_.begin(), without_.end(), [&](const CRange& range) {
-    return index >= range.first && index < range.end;
-  });
 }
 
 std::string CRoutine::name(const CUnit& unit, std::size_t label) {
@@ -60,7 +53,6 @@ void CRoutine::write() {
   CSource declarations = unit_.body.empty_copy();
   std::swap(declarations, unit_.body);
   for (std::size_t i = range_.first; i < range_.end; ++i) {
-    if (!contains(i)) continue;
     if (ends_state(i)) close_state();
     source_comment(i);
     instruction(unit_.program.instructions[i]);

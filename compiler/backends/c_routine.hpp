@@ -22,8 +22,7 @@ struct CRange {
 
 class CRoutine {
  public:
-  // Of the instructions in `range`, those of the ranges `without` are no part of it.
-  CRoutine(CUnit& unit, CRange range, std::vector<CRange> without);
+  CRoutine(CUnit& unit, CRange range);
 
   // The function's body, between its braces.
   void write();
@@ -43,7 +42,6 @@ class CRoutine {
   void output(const Instruction& instruction);
   void source_comment(std::size_t index);
 
-  bool contains(std::size_t index) const;
   std::string load();
   std::string top();
   std::string power();
@@ -51,7 +49,6 @@ class CRoutine {
 
   CUnit& unit_;
   CRange range_;
-  std::vector<CRange> without_;
   std::set<std::size_t> labels_;  // where a CJ leads to
   // Local variables and whether something reads them.
   std::map<std::string, bool> locals_;

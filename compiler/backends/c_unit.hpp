@@ -14,15 +14,21 @@
 #include "backends/c_helpers.hpp"
 #include "backends/c_layout.hpp"
 #include "backends/c_source.hpp"
+#include "backends/c_writer.hpp"
 #include "rungs/program.hpp"
 
 namespace rung {
 
 struct CUnit {
-  CUnit(const Program& source_program, std::string_view prefix)
-      : program(source_program), layout(source_program), body(prefix) {}
+  CUnit(const Program& source_program, const COptions& c_options)
+      : program(source_program),
+        options(c_options),
+        layout(source_program),
+        helpers(options.bare),
+        body(options.prefix) {}
 
   const Program& program;
+  const COptions& options;
   CLayout layout;
   CHelpers helpers;
   CSource body;  // the program's functions

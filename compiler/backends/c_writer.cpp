@@ -33,29 +33,10 @@ std::vector<CRange> subroutines(const Instructions& instructions) {
   return ranges;
 }
 
-// The scan ends at the first FEND, or where a jump leads past it, at one after the jump's label.
-CRange scan(const Instructions& instructions, const std::vector<CRange>& subroutines) {
-  std::size_t end = std::min(find(instructions, 0, Op::Fend) + 1, instructions.size());
-  for (std::size_t i = 0; i < end; ++i) {
-    const bool called =
-        std::any_of(subroutines.begin(), subroutines.end(),
-                    [&](const CRange& range) { return i >= range.first && i < range.end; });
-    const Instruction& instruction = instructions[i];
-    if (called || instruction.op != Op::Cj || instruction.destination >= instructions.size()) {
-      continue;
-    }
-    if (instruction.destination >= end) {
-      end =
-          std::min(find(instructions, instruction.destination, Op::Fend) + 1, instructions.size());
-    }
-  }
-  return {0, end};
-}
-
 }  // namespace
 
 std::string write_c(const Program& program, const COptions& options) {
-  CUnit unit(program, options.prefix);
+  CUnit unit(program, options);
   const std::vector<CRange> called = subroutines(program.instructions);
   for (const CRange& range : called) {
     unit.body.line("static void {}(void);", CRoutine::name(unit, range.first));
@@ -63,24 +44,27 @@ std::string write_c(const Program& program, const COptions& options) {
   if (!called.empty()) unit.body.blank();
   for (const CRange& range : called) {
     unit.body.open("static void {}(void) {{", CRoutine::name(unit, range.first));
-    CRoutine(unit, range, {}).write();
+    CRoutine(unit, range).write();
     unit.body.close();
     unit.body.blank();
   }
+  // Subroutines, and what nothing calls, are behind FEND.
+  const std::size_t scan_end =
+      std::min(find(program.instructions, 0, Op::Fend) + 1, program.instructions.size());
   unit.body.open("static void @_scan(void) {{");
-  CRoutine(unit, scan(program.instructions, called), called).write();
+  CRoutine(unit, {0, scan_end}).write();
   unit.body.close();
   unit.body.blank();
-  unit.body.open("void $Cycle(void) {{");
-  write_scan_start(unit, unit.body);
+  unit.body.open("{}void $Cycle(void) {{", options.bare ? "static " : "");
+  write_scan_start(unit);
   unit.body.line("@_scan();");
   unit.body.close();
 
   CSource source(options.prefix);
-  write_declarations(unit, options.table, source);
-  write_accessors(unit, options.table, source);
+  write_declarations(unit, source);
+  write_accessors(unit, source);
   unit.helpers.write(source);
-  write_time_and_faults(unit, source);
+  write_fault(unit, source);
   source.append(unit.body);
   return source.text();
 }

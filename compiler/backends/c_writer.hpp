@@ -14,6 +14,10 @@ struct COptions {
   std::string prefix = "Plc";
   // Adds access by name: int PlcSet("D10", value), long PlcGet("D10").
   bool table = false;
+  // For very many programs in one file, which a compiler then reads in half the time: functions are
+  // static, there is no access but by the array PlcDevices (struct plc_device: name, bit or word; a
+  // name of 0 ends it), and small functions that do the same in all programs stand there once.
+  bool bare = false;
 };
 
 // One C99 file, freestanding (it includes stdint.h only), with

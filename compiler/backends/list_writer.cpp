@@ -7,25 +7,10 @@
 #include <vector>
 
 #include "melsec/instructions.hpp"
-#include "rungs/devices.hpp"
+#include "melsec/operands.hpp"
 
 namespace rung {
 namespace {
-
-// As people write it: T0, whether its contact or its value is meant.
-std::string source_name(Device device, Dialect dialect) {
-  const Device contact = contact_of(device);
-  switch (contact.kind) {
-    case DeviceKind::TS:
-      return fmt::format("T{}", device.number);
-    case DeviceKind::STS:
-      return fmt::format("ST{}", device.number);
-    case DeviceKind::CS:
-      return fmt::format("C{}", device.number);
-    default:
-      return device_name(device, dialect);
-  }
-}
 
 std::string operand_text(const Operand& operand, Op op, Dialect dialect) {
   switch (operand.kind) {

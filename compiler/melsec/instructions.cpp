@@ -200,7 +200,11 @@ std::span<const InstructionForm> find_instruction(std::string_view name) {
 
 std::vector<std::string_view> instruction_names() {
   std::vector<std::string_view> names;
-  for (const auto& [name, forms] : name_table()) names.emplace_back(name);
+  const auto add = [&](std::string_view name) {
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  };
+  for (const SourceInstruction& row : kInstructions) add(row.name);
+  for (const auto& [name, forms] : name_table()) add(name);
   return names;
 }
 

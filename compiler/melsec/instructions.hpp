@@ -89,7 +89,7 @@ std::span<const SourceInstruction> source_instructions();
 // All forms called `name` (upper case), of all dialects; OUT alone has several in one dialect
 // (bits, timers, counters). Empty if there is none.
 std::span<const InstructionForm> find_instruction(std::string_view name);
-// All names, for suggestions.
+// All names, the usual ones first.
 std::vector<std::string_view> instruction_names();
 // What `instruction` is called in `dialect`: what the paper calls MV is MOV elsewhere, and so on.
 // Empty if the dialect has no name for it.

@@ -33,8 +33,8 @@ std::optional<std::int64_t> read_number(std::string_view digits, int base) {
 bool is_digit_group(std::string_view upper) {
   if (upper.size() < 4 || upper.front() != 'K') return false;
   const std::size_t letter = upper.find_first_not_of("0123456789", 1);
-  return letter != std::string_view::npos && letter > 1 &&
-         std::isupper(static_cast<unsigned char>(upper[letter])) != 0;
+  return letter != std::string_view::npos && letter > 1 && upper[letter] != 'Z' &&
+         upper[letter] != 'V' && std::isupper(static_cast<unsigned char>(upper[letter])) != 0;
 }
 
 bool is_constant(std::string_view upper) {
@@ -81,6 +81,20 @@ std::optional<Device> timer_or_counter(std::string_view upper, Dialect dialect) 
   if (parsed.error == DeviceError::Form || parsed.error == DeviceError::Special) return {};
   if (!is_timer(parsed.device.kind) && !is_counter(parsed.device.kind)) return {};
   return contact_of(parsed.device);
+}
+
+std::string source_name(Device device, Dialect dialect) {
+  const Device contact = contact_of(device);
+  switch (contact.kind) {
+    case DeviceKind::TS:
+      return fmt::format("T{}", device.number);
+    case DeviceKind::STS:
+      return fmt::format("ST{}", device.number);
+    case DeviceKind::CS:
+      return fmt::format("C{}", device.number);
+    default:
+      return device_name(device, dialect);
+  }
 }
 
 std::string_view kind_name(DeviceKind kind) {
@@ -152,8 +166,8 @@ void OperandReader::explain(const ListWord& word, std::string_view name, DeviceK
     return;
   }
   const DeviceRange& range = device_range(kind, dialect_);
-  const std::string first = device_name({kind, range.first}, dialect_);
-  const std::string last = device_name({kind, range.last}, dialect_);
+  const std::string first = source_name({kind, range.first}, dialect_);
+  const std::string last = source_name({kind, range.last}, dialect_);
   if (digit) {
     const bool octal = range.base == 8;
     const bool q_has_it = parse_device(name, Dialect::Q).error == DeviceError::None;

@@ -16,6 +16,8 @@ namespace rung {
 bool looks_like_operand(std::string_view upper);
 // The timer or counter that `upper` names (its contact), or nothing.
 std::optional<Device> timer_or_counter(std::string_view upper, Dialect dialect);
+// As people write it: T0, whether a timer's contact or its value is meant.
+std::string source_name(Device device, Dialect dialect);
 // What a message calls a device of `kind`: "a relay".
 std::string_view kind_name(DeviceKind kind);
 

@@ -217,6 +217,11 @@ class ProgramBuilder {
       reader.refuse(*bad);
       return false;
     }
+    // So is a timer that the dialect does not have, with its preset.
+    const auto most = static_cast<std::size_t>(operand_count(row, program_.dialect).most);
+    if (most > 0 && words.size() > most && !reader.read(words[0], row.roles[0], out.width)) {
+      return false;
+    }
     if (!right_count(statement, row)) return false;
     const std::size_t roles = static_cast<std::size_t>(row.operands());
     out.two_operand = words.size() < roles;

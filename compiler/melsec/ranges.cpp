@@ -118,13 +118,12 @@ class RangeCheck {
     if (last <= static_cast<std::int64_t>(end)) return;
     const std::int64_t head = static_cast<std::int64_t>(end) - (last - device.number);
     error(i,
-          fmt::format("takes devices up to number {} beyond the last one, {}",
-                      last - static_cast<std::int64_t>(end),
-                      device_name({device.kind, end}, dialect_)),
+          fmt::format("takes more devices than there are: the last one is {}",
+                      source_name({device.kind, end}, dialect_)),
           head < 0 ? "there are not so many: write a smaller count"
                    : fmt::format(
                          "name {} or below",
-                         device_name({device.kind, static_cast<std::uint32_t>(head)}, dialect_)));
+                         source_name({device.kind, static_cast<std::uint32_t>(head)}, dialect_)));
   }
 
   void preset() {

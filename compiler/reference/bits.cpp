@@ -36,8 +36,6 @@ void Reference::execute_bits(const Instruction& instruction) {
     case Op::Alt:
       return write_bit(bit, !read_bit(bit));
     case Op::Sft: {
-      // Device 0 has none before it: 0 moves in.
-      if (bit.device.number == 0) return write_bit(bit, false);
       const Operand before = element(bit, -1, 16);
       const bool value = read_bit(before);
       write_bit(before, false);

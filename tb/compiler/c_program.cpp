@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -14,20 +13,67 @@
 
 #include "backends/c_writer.hpp"
 #include "reference/reference.hpp"
+#include "rungs/devices.hpp"
+#include "rungs/special.hpp"
 
 namespace rung {
 namespace {
 
-char kind_letter(Device device) { return "XYMD"[static_cast<std::size_t>(device.kind)]; }
+// As in the names of the access functions.
+std::string kind_name(Device device) {
+  return device.kind == DeviceKind::CNH ? "CNH" : std::string(kind_letters(device.kind));
+}
+
+std::int16_t random_value(Device device, RandomSource& random) {
+  if (!is_word(device)) return static_cast<std::int16_t>(random.below(2));
+  static constexpr std::int16_t kCorners[] = {0, 1, -1, 2, 9, 100, INT16_MAX, INT16_MIN};
+  return random.percent(50) ? kCorners[random.below(std::size(kCorners))]
+                            : static_cast<std::int16_t>(random.below(65536) - 32768);
+}
+
+bool is_driven_device(Device device, Dialect dialect) {
+  const SpecialRange* const special = find_special(device, dialect);
+  return special != nullptr && is_driven(special->role);
+}
+
+void expect_equal(const CPrograms& c, std::size_t index, const Program& program, int scans,
+                  RandomSource& random, std::uint32_t tick_us) {
+  c.reset(index);
+  c.elapsed(index, tick_us);
+  Reference reference(program, tick_us);
+  const std::vector<Device> devices = named_devices(program);
+  for (int scan = 0; scan < scans; ++scan) {
+    for (const Device device : devices) {
+      const bool input = device.kind == DeviceKind::X;
+      if (is_driven_device(device, program.dialect) || !random.percent(input ? 40 : 3)) continue;
+      const std::int16_t value = random_value(device, random);
+      c.set(index, device_name(device, program.dialect), value);
+      reference.set(device, value);
+    }
+    c.cycle(index);
+    reference.run_scan();
+    ASSERT_EQ(c.error(index), reference.error()) << "program " << index << ", scan " << scan;
+    for (const Device device : devices) {
+      const std::string name = device_name(device, program.dialect);
+      ASSERT_EQ(c.get(index, name), reference.get(device))
+          << "program " << index << ", scan " << scan << ", " << name;
+    }
+  }
+}
 
 }  // namespace
 
-CProgram::CProgram(const Program& program) {
+CPrograms::CPrograms(std::span<const Program> programs) {
   static int number = 0;
   const std::string base = fmt::format("{}/c_program.{}.{}", RUNG_SCRATCH, ::getpid(), number++);
-  std::ofstream(base + ".c") << to_c(program);
+  {
+    std::ofstream file(base + ".c");
+    for (std::size_t i = 0; i < programs.size(); ++i) {
+      file << write_c(programs[i], {.prefix = fmt::format("p{}_", i), .table = true});
+    }
+  }
   const std::string command = fmt::format(
-      "'{0}' -std=c99 -Wall -Wextra -pedantic -Wmissing-prototypes -Werror -O2 "
+      "'{0}' -std=c99 -Wall -Wextra -pedantic -Wmissing-prototypes -Werror -O1 "
       "-fsanitize=undefined -fsanitize-undefined-trap-on-error -fPIC -shared -o '{1}.so' '{1}.c' "
       "> '{1}.log' 2>&1",
       RUNG_C_COMPILER, base);
@@ -39,32 +85,51 @@ CProgram::CProgram(const Program& program) {
   for (const char* const suffix : {".c", ".so", ".log"}) std::filesystem::remove(base + suffix);
 }
 
-CProgram::~CProgram() {
+CPrograms::~CPrograms() {
   if (library_ != nullptr) ::dlclose(library_);
 }
 
-void* CProgram::symbol(const std::string& name) const {
-  void* const found = ::dlsym(library_, name.c_str());
+void* CPrograms::symbol(std::size_t program, const std::string& name) const {
+  void* const found = ::dlsym(library_, fmt::format("p{}_{}", program, name).c_str());
   EXPECT_NE(found, nullptr) << name;
   return found;
 }
 
-void CProgram::reset() const { reinterpret_cast<void (*)()>(symbol("PlcReset"))(); }
-void CProgram::cycle() const { reinterpret_cast<void (*)()>(symbol("PlcCycle"))(); }
-bool CProgram::error() const {
-  return reinterpret_cast<std::uint8_t (*)()>(symbol("PlcError"))() != 0;
+void CPrograms::reset(std::size_t program) const {
+  reinterpret_cast<void (*)()>(symbol(program, "Reset"))();
 }
 
-std::int16_t CProgram::read(Device device) const {
-  void* const function = symbol(fmt::format("PlcRead{}", kind_letter(device)));
+void CPrograms::cycle(std::size_t program) const {
+  reinterpret_cast<void (*)()>(symbol(program, "Cycle"))();
+}
+
+void CPrograms::elapsed(std::size_t program, std::uint32_t microseconds) const {
+  reinterpret_cast<void (*)(std::uint32_t)>(symbol(program, "Elapsed"))(microseconds);
+}
+
+bool CPrograms::error(std::size_t program) const {
+  return reinterpret_cast<std::uint8_t (*)()>(symbol(program, "Error"))() != 0;
+}
+
+long CPrograms::get(std::size_t program, const std::string& device) const {
+  return reinterpret_cast<long (*)(const char*)>(symbol(program, "Get"))(device.c_str());
+}
+
+bool CPrograms::set(std::size_t program, const std::string& device, long value) const {
+  return reinterpret_cast<int (*)(const char*, long)>(symbol(program, "Set"))(device.c_str(),
+                                                                              value) != 0;
+}
+
+std::int16_t CPrograms::read(std::size_t program, Device device) const {
+  void* const function = symbol(program, "Read" + kind_name(device));
   if (is_word(device)) {
     return reinterpret_cast<std::int16_t (*)(std::uint32_t)>(function)(device.number);
   }
   return reinterpret_cast<std::uint8_t (*)(std::uint32_t)>(function)(device.number);
 }
 
-void CProgram::write(Device device, std::int16_t value) const {
-  void* const function = symbol(fmt::format("PlcWrite{}", kind_letter(device)));
+void CPrograms::write(std::size_t program, Device device, std::int16_t value) const {
+  void* const function = symbol(program, "Write" + kind_name(device));
   if (is_word(device)) {
     reinterpret_cast<void (*)(std::uint32_t, std::int16_t)>(function)(device.number, value);
   } else {
@@ -73,28 +138,17 @@ void CProgram::write(Device device, std::int16_t value) const {
   }
 }
 
-void expect_c_equals_reference(const Program& program, int scans, RandomSource& random) {
-  const CProgram c(program);
+void expect_c_equals_reference(const Program& program, int scans, RandomSource& random,
+                               std::uint32_t tick_us) {
+  const std::span programs(&program, 1);
+  expect_c_equals_reference(CPrograms(programs), programs, scans, random, tick_us);
+}
+
+void expect_c_equals_reference(const CPrograms& c, std::span<const Program> programs, int scans,
+                               RandomSource& random, std::uint32_t tick_us) {
   ASSERT_TRUE(c.good());
-  c.reset();
-  Reference reference(program);
-  const std::vector<Device> devices = named_devices(program);
-  for (int scan = 0; scan < scans; ++scan) {
-    for (const Device device : devices) {
-      const bool input = device.kind == DeviceKind::X;
-      if (!random.percent(input ? 40 : 3)) continue;
-      const auto value = static_cast<std::int16_t>(is_word(device) ? random.below(65536) - 32768
-                                                                   : random.below(2));
-      c.write(device, value);
-      reference.set(device, value);
-    }
-    c.cycle();
-    reference.run_scan();
-    ASSERT_EQ(c.error(), reference.error()) << "scan " << scan;
-    for (const Device device : devices) {
-      ASSERT_EQ(c.read(device), reference.get(device))
-          << "scan " << scan << ", " << device_name(device, program.dialect);
-    }
+  for (std::size_t i = 0; i < programs.size() && !testing::Test::HasFailure(); ++i) {
+    expect_equal(c, i, programs[i], scans, random, tick_us);
   }
 }
 

@@ -1,39 +1,53 @@
 // SPDX-License-Identifier: Apache-2.0
-// A program as C, compiled by the C compiler and loaded, beside the reference.
+// Programs as C, compiled by the C compiler and loaded, beside the reference.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "programs/random_source.hpp"
 #include "rungs/program.hpp"
 
 namespace rung {
 
-class CProgram {
+// Several programs in one translation unit.
+class CPrograms {
  public:
-  // Translates and compiles `program`, every warning an error; undefined behaviour traps. A failure
-  // to compile is a failure of the test, with the compiler's messages.
-  explicit CProgram(const Program& program);
-  ~CProgram();
-  CProgram(const CProgram&) = delete;
-  CProgram& operator=(const CProgram&) = delete;
+  // Translates and compiles, every warning an error; undefined behaviour traps. A failure to
+  // compile is a failure of the test, with the compiler's messages.
+  explicit CPrograms(std::span<const Program> programs);
+  ~CPrograms();
+  CPrograms(const CPrograms&) = delete;
+  CPrograms& operator=(const CPrograms&) = delete;
 
   bool good() const { return library_ != nullptr; }
-  void reset() const;
-  void cycle() const;
-  bool error() const;
-  std::int16_t read(Device device) const;
-  void write(Device device, std::int16_t value) const;
+  void reset(std::size_t program) const;
+  void cycle(std::size_t program) const;
+  void elapsed(std::size_t program, std::uint32_t microseconds) const;
+  bool error(std::size_t program) const;
+  // By name.
+  long get(std::size_t program, const std::string& device) const;
+  // Whether there is such a device.
+  bool set(std::size_t program, const std::string& device, long value) const;
+  // By number.
+  std::int16_t read(std::size_t program, Device device) const;
+  void write(std::size_t program, Device device, std::int16_t value) const;
 
  private:
-  void* symbol(const std::string& name) const;
+  void* symbol(std::size_t program, const std::string& name) const;
 
   void* library_ = nullptr;
 };
 
 // Runs `scans` scans of `program` as C and on the reference, with random inputs and at times a
 // random preset, and expects every named device and the error flag to be equal after each.
-void expect_c_equals_reference(const Program& program, int scans, RandomSource& random);
+void expect_c_equals_reference(const Program& program, int scans, RandomSource& random,
+                               std::uint32_t tick_us = 10000);
+// The same of several programs, which are compiled already.
+void expect_c_equals_reference(const CPrograms& c, std::span<const Program> programs, int scans,
+                               RandomSource& random, std::uint32_t tick_us = 10000);
 
 }  // namespace rung

@@ -25,16 +25,16 @@ TEST_P(AcceptedList, GivesThisProgram) {
 
 constexpr Accepted kForms[] = {
     {"Figure2OfThePaper", "LD\tX0\nOR\tM0\nANI\tX1\nOUT\tM0\nLD\tM0\nADD\tK1 D0\nEND\t\n",
-     "paper\nLD X0 | OR M0 | ANI X1 | OUT M0\nLD M0 | ADD D0 1 -> D0 two"},
+     "paper\nLD X0 | OR M0 | ANI X1 | OUT M0\nLD M0 | ADD D0 1 D0 two"},
     {"StepNumbers", "0 LD X000\n1 OR X001\n2 OUT Y017\n3 END\n", "fx\nLD X0 | OR X1 | OUT Y17"},
     {"StepNumbersOnOneLine", "0 LD X0 1 OUT Y0 2 END", "fx\nLD X0 | OUT Y0"},
     {"StepNumberAfterThreeOperandForm", "LD X0 ADD K1 D0 7 LD X1 OUT Y0 END",
-     "paper\nLD X0 | ADD D0 1 -> D0 two\nLD X1 | OUT Y0"},
+     "paper\nLD X0 | ADD D0 1 D0 two\nLD X1 | OUT Y0"},
     {"SeveralOnALine", "LD X0 OR M0 ANI X1 OUT M0 END", "fx\nLD X0 | OR M0 | ANI X1 | OUT M0"},
     {"Slashes", "LD X0 / OR M0 / OUT M0 /\n/ END", "fx\nLD X0 | OR M0 | OUT M0"},
     {"SlashesWithoutBlanks", "LD X0/OR M0/OUT M0/END", "fx\nLD X0 | OR M0 | OUT M0"},
     {"Division", "LD X0 / / K2 D0 / / D0 D1 D2\nEND",
-     "q\nLD X0 | DIV D0 2 -> D0 wide two | DIV D0 D1 -> D2 wide"},
+     "q\nLD X0 | DIV D0 2 D0 wide two | DIV D0 D1 D2 wide"},
     {"Comments",
      "; one\n# two\n// three\n(* four\nLD X7 *) LD X0 ; five\n(* a *)OUT(* b *)Y0 // six\nEND # "
      "seven\n(* eight *)",
@@ -44,8 +44,7 @@ constexpr Accepted kForms[] = {
     {"LineEndsOfDos", "LD X0\r\nOUT Y0\r\nEND\r\n", "fx\nLD X0 | OUT Y0"},
     {"LineEndsOfOldMacs", "LD X0\rOUT Y0\rEND\r", "fx\nLD X0 | OUT Y0"},
     {"NoFinalNewline", "LD X0\nOUT Y0\nEND", "fx\nLD X0 | OUT Y0"},
-    {"LowerCase", "ld x0\nmov k-5 d1\nmov h0fF d2\nend",
-     "fx\nLD X0 | MOV -5 -> D1 | MOV 255 -> D2"},
+    {"LowerCase", "ld x0\nmov k-5 d1\nmov h0fF d2\nend", "fx\nLD X0 | MOV -5 D1 | MOV 255 D2"},
     {"ByteOrderMark", "\xEF\xBB\xBFLD X0\nOUT Y0\nEND\n", "fx\nLD X0 | OUT Y0"},
     {"Padding", "LD X00000000000000000000007\nOUT M0010\nEND", "fx\nLD X7 | OUT M10"},
     {"FullWidthBlank", "LD\u3000X0\nOUT\u00A0Y0\nEND", "fx\nLD X0 | OUT Y0"},
@@ -55,22 +54,22 @@ constexpr Accepted kForms[] = {
 
 constexpr Accepted kDialects[] = {
     {"PlainIsFx", "LD X10\nADD D0 K1 D1\nMUL D0 D1 D2\nEND",
-     "fx\nLD X10 | ADD D0 1 -> D1 | MUL D0 D1 -> D2 wide"},
+     "fx\nLD X10 | ADD D0 1 D1 | MUL D0 D1 D2 wide"},
     {"MvIsPaper", "LD X10\nMV K1 D0\nMUL D0 D1 D2\nDIV D0 D1 D2\nEND",
-     "paper\nLD X10 | MOV 1 -> D0 | MUL D0 D1 -> D2 | DIV D0 D1 -> D2"},
+     "paper\nLD X10 | MOV 1 D0 | MUL D0 D1 D2 | DIV D0 D1 D2"},
     {"TwoOperandsArePaper", "LD X0\nSUB K1 D0\nMOV D0 D1\nEND",
-     "paper\nLD X0 | SUB D0 1 -> D0 two | MOV D0 -> D1"},
+     "paper\nLD X0 | SUB D0 1 D0 two | MOV D0 D1"},
     {"OperatorsAreQ", "LD X1F\n+ K1 D0\n- D0 K1 D1\n* D0 D1 D2\nEND",
-     "q\nLD X1F | ADD D0 1 -> D0 two | SUB D0 1 -> D1 | MUL D0 D1 -> D2 wide"},
+     "q\nLD X1F | ADD D0 1 D0 two | SUB D0 1 D1 | MUL D0 D1 D2 wide"},
     {"LastDevicesOfFx", "LD X377\nOUT Y377\nOUT M7679\nMOV K0 D7999\nMUL D0 D0 D7998\nEND",
-     "fx\nLD X377 | OUT Y377 | OUT M7679 | MOV 0 -> D7999 | MUL D0 D0 -> D7998 wide"},
+     "fx\nLD X377 | OUT Y377 | OUT M7679 | MOV 0 D7999 | MUL D0 D0 D7998 wide"},
     {"LastDevicesOfQ", "LD X1FFF\nOUT Y1FFF\nOUT M8191\n+ K0 D12287\n* D0 D0 D12286\nEND",
-     "q\nLD X1FFF | OUT Y1FFF | OUT M8191 | ADD D12287 0 -> D12287 two | MUL D0 D0 -> D12286 wide"},
-    {"HexadecimalWithLeadingLetter", "LD XA\n+ K0 D0\nEND", "q\nLD XA | ADD D0 0 -> D0 two"},
+     "q\nLD X1FFF | OUT Y1FFF | OUT M8191 | ADD D12287 0 D12287 two | MUL D0 D0 D12286 wide"},
+    {"HexadecimalWithLeadingLetter", "LD XA\n+ K0 D0\nEND", "q\nLD XA | ADD D0 0 D0 two"},
     {"Constants",
      "LD X0\nMOV K-32768 D0\nMOV K32767 D1\nMOV HFFFF D2\nMOV H8000 D3\nMOV H00001 "
      "D4\nEND",
-     "fx\nLD X0 | MOV -32768 -> D0 | MOV 32767 -> D1 | MOV -1 -> D2 | MOV -32768 -> D3 | MOV 1 -> "
+     "fx\nLD X0 | MOV -32768 D0 | MOV 32767 D1 | MOV -1 D2 | MOV -32768 D3 | MOV 1 "
      "D4"},
     {"ResetOfAWord", "LD X0\nRST D5\nRST M5\nRST Y5\nEND", "fx\nLD X0 | RST D5 | RST M5 | RST Y5"},
 };
@@ -116,7 +115,7 @@ TEST(List, GivenDialectDecides) {
   const ParseResult result = parse("LD X10\nOUT Y0\nEND", Dialect::Q);
   ASSERT_TRUE(result.program);
   EXPECT_EQ(dump(*result.program), "q\nLD X10 | OUT Y0");
-  EXPECT_EQ(result.program->instructions[0].device.number, 0x10U);
+  EXPECT_EQ(result.program->instructions[0].operand(0).device.number, 0x10U);
 }
 
 TEST(List, Utf16) {

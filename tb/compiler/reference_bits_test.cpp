@@ -21,9 +21,8 @@ INSTANTIATE_TEST_SUITE_P(Coils, ReferenceStory, testing::ValuesIn(kCoils), story
 
 constexpr Story kBitShifts[] = {
     {"Sft", "LD X0, SFTP M5", "X0=1 M4=1 |", "M4=0 M5=1 |", Dialect::Q},
-    {"SftOfTheFirst", "LD X0, SFTP M0", "X0=1 M0=1 |", "M0=0 |", Dialect::Q},
-    {"SftRow", "LD X0, SFTP M2, SFTP M1, SFTP M0", "X0=1 M0=1 M1=1 | X0=0 | X0=1",
-     "M1=0 M2=1 M0=0 M1=1 M0=0 | | M1=0 M2=1 M0=0 M1=0 M0=0", Dialect::Q},
+    {"SftRow", "LD X0, SFTP M2, SFTP M1", "X0=1 M0=1 M1=1 | X0=0 | X0=1",
+     "M1=0 M2=1 M0=0 M1=1 | | M1=0 M2=1 M0=0 M1=0", Dialect::Q},
     // 1011 in M3 M2 M1 M0 is 1, 0, 1, 1 from M0 up
     {"Sftl", "LD X0, SFTLP X10 M0 K4 K2", "X0=1 X11=1 M0=1 M2=1 M3=1 |", "M0=0 M1=1 M2=1 M3=0 |"},
     {"Sftr", "LD X0, SFTRP X10 M0 K4 K2", "X0=1 X11=1 M0=1 M2=1 M3=1 |", "M0=1 M1=1 M2=0 M3=1 |"},

@@ -31,8 +31,8 @@ constexpr Story kIndexed[] = {
      "M8067=1 Y0=0 Y2=1"},
     {"ComparesOutsideAreOff", "LD<> D10Z0 K5, OUT Y0, LD M8067, OUT Y1", "Z0=1 | Z0=128",
      "Y0=1 Y1=0 | M8067=1 Y0=0 Y1=1"},
-    {"Coils", "LD X0, OUT Y10Z0, SET M10Z1, RST M20Z1", "X0=1 Z0=1 Z1=-2 | X0=0",
-     "Y11=1 M8=1 M18=0 | Y11=0"},
+    {"Coils", "LD X0, OUT Y10Z0, SET M10Z1, RST M20Z1", "X0=1 Z0=1 Z1=2 | X0=0",
+     "Y11=1 M12=1 M22=0 | Y11=0"},
     {"OutOutsideAlwaysSetsTheError", "LD X0, OUT Y10Z0, LD M8067, OUT M0", "Z0=-9", "M8067=1 M0=1"},
     // Y and X count in octal, their numbers do not: Y10 is the eighth.
     {"Octal", "LD X0, OUT Y7Z0", "X0=1 Z0=1", "Y10=1"},

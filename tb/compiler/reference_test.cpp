@@ -199,7 +199,7 @@ TEST(Reference, SetsBitsToZeroOrOne) {
 TEST(ReferenceRun, GivesTheTraceOfInterfaces) {
   const Program program = good_program("LD X0\nOUT Y10\nMOV D0 D1\nLDI X0\nOUT M0\nEND");
   ReferenceRun run(program, true);
-  EXPECT_EQ(to_json(run.header(10000)),
+  EXPECT_EQ(to_json(run.header()),
             R"({"rung_trace":1,"program":"t","dialect":"fx","tick_ms":10,"mpu":0})");
   const auto scan = [&](std::vector<StimulusEvent> events) { return to_json(run.scan(events)); };
   EXPECT_EQ(scan({}), R"({"scan":0,"clocks":null,"in":{},"writes":[["Y10",0],["M0",1]],"out":{},)"
@@ -213,6 +213,29 @@ TEST(ReferenceRun, GivesTheTraceOfInterfaces) {
             R"({"scan":2,"clocks":null,"in":{"D0":-7},)"
             R"("writes":[["Y10",1],["D1",-7],["M0",0]],"out":{},)"
             R"("state":{"X0":1,"Y10":1,"M0":0,"D0":-7,"D1":-7}})");
+}
+
+TEST(ReferenceRun, HasTheTimeAndAllNamedDevices) {
+  const Program program =
+      good_program("LD M8002\nOUT T200 K1\nLD X0\nDADD C200 K-1 D0\nLD M8022\nSET S3\nEND");
+  ReferenceRun run(program, true, 7300);
+  EXPECT_EQ(to_json(run.header()),
+            R"({"rung_trace":1,"program":"t","dialect":"fx","tick_ms":7.3,"mpu":0})");
+  EXPECT_EQ(
+      to_json(run.scan(std::vector<StimulusEvent>{{device("X0"), 1}, {device("CN200:h"), 2}})),
+      R"({"scan":0,"clocks":null,"in":{"X0":1,"CN200:h":2},)"
+      R"("writes":[["D0",-1],["D1",1]],"out":{},)"
+      R"("state":{"X0":1,"M8002":1,"M8022":0,"S3":0,"TS200":0,"CS200":0,"D0":-1,"D1":1,)"
+      R"("TN200":0,"CN200":0,"CN200:h":2}})");
+}
+
+// What no list may name, but a caller may ask for.
+TEST(Reference, HasNothingBeyondItsMemory) {
+  const Program program = good_program("LD X0\nOUT Y0\nEND");
+  Reference reference(program);
+  reference.set({DeviceKind::D, 0xFFFFFFFF}, 5);
+  EXPECT_EQ(reference.get({DeviceKind::D, 0xFFFFFFFF}), 0);
+  EXPECT_EQ(reference.get({DeviceKind::SW, 4711}), 0);
 }
 
 }  // namespace

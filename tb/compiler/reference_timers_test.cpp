@@ -27,7 +27,9 @@ constexpr Story kTimers[] = {
      100'000},
     {"TicksOfAScanAreUsedOnce", "LD X0, OUT T200 K5, LD X0, OUT T200 K5", "X0=1 | |",
      "| TN200=1 | TN200=2"},
-    {"TwoCoilsAgainstEachOther", "LDI X0, OUT T200 K5, LD X0, OUT T200 K5", "X0=1 | | X0=0", "| |"},
+    // In the last scan the first coil finds what the second one left before: on.
+    {"TwoCoilsAgainstEachOther", "LDI X0, OUT T200 K5, LD X0, OUT T200 K5", "X0=1 | | X0=0",
+     "| | TN200=1 TN200=0"},
     // The first coil used up the ticks, whatever its condition was.
     {"SecondCoilIsLate", "LD X1, OUT T200 K5, LD X0, OUT T200 K5", "X0=1 X1=1 | | X1=0 | X1=1",
      "| TN200=1 | TN200=0 | TN200=1"},
@@ -64,7 +66,7 @@ constexpr Story kWideCounters[] = {
     {"UpAndDown", "LD X1, OUT M8200, LD X0, OUT C200 D0, LD C200, OUT Y0",
      "D0=1 X0=1 | X0=0 | X0=1 | X0=0 X1=1 | X0=1 | X0=0 | X0=1 | X0=0 | X0=1",
      "M8200=0 CN200=1 CS200=1 Y0=1 | M8200=0 Y0=1 | M8200=0 CN200=2 Y0=1 | M8200=1 Y0=1 |"
-     "M8200=1 CN200=1 Y0=1 | M8200=1 Y0=1 | M8200=1 CN200=0 CS200=0 Y0=0 | M8200=1 Y0=0 |"
+     "M8200=1 CN200=1 Y0=1 | M8200=1 Y0=1 | M8200=1 CS200=0 CN200=0 Y0=0 | M8200=1 Y0=0 |"
      "M8200=1 CN200=-1 CN200:h=-1 Y0=0"},
     {"RingUpwards", "LD X0, OUT C234 K5", "CN234=-1 CN234:h=32767 X0=1", "CN234=0 CN234:h=-32768"},
     {"RingDownwards", "LD X1, OUT M8234, LD X0, OUT C234 K5", "CN234:h=-32768 X0=1 X1=1",

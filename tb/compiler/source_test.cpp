@@ -120,6 +120,32 @@ TEST_F(Files, AreReadAsLines) {
   EXPECT_EQ(to_utf8(text->lines[2]), "\xE3\x81\x82");
 }
 
+TEST(Encodings, GiveTheSameText) {
+  const std::u32string text = U"LD X0 ; \u3042\uFF71\u4F4D";
+  const auto utf16 = [&](bool big_endian) {
+    std::string bytes;
+    for (const char32_t c : text) {
+      const char low = static_cast<char>(c & 0xFFU);
+      const char high = static_cast<char>(c >> 8U);
+      bytes += {big_endian ? high : low, big_endian ? low : high};
+    }
+    return bytes;
+  };
+  const std::string encoded[] = {to_utf8(text),
+                                 "\xEF\xBB\xBF" + to_utf8(text),
+                                 "\xFF\xFE" + utf16(false),
+                                 utf16(false),
+                                 "\xFE\xFF" + utf16(true),
+                                 utf16(true),
+                                 "LD X0 ; \x82\xA0\xB1\x88\xCA"};  // Shift-JIS
+  for (const std::string& bytes : encoded) {
+    Diagnostics diagnostics;
+    const auto decoded = decode_text(bytes, "t", diagnostics);
+    ASSERT_TRUE(decoded) << printed(diagnostics);
+    EXPECT_EQ(decoded->lines, std::vector<std::u32string>{text});
+  }
+}
+
 TEST(DiagnosticsOrder, IsThatOfTheSource) {
   Diagnostics diagnostics;
   diagnostics.error("b", {3, 1}, "third", "mend it");
@@ -160,7 +186,15 @@ TEST(DeviceNames, AreReadAndWritten) {
       {Dialect::Fx, "X", nullptr},
       {Dialect::Fx, "X-1", nullptr},
       {Dialect::Fx, "X 1", nullptr},
-      {Dialect::Fx, "T0", nullptr},
+      {Dialect::Fx, "T007", "TS7"},
+      {Dialect::Fx, "CN200:H", "CN200:h"},
+      {Dialect::Fx, "CN199:H", nullptr},
+      {Dialect::Fx, "M8013", "M8013"},
+      {Dialect::Fx, "M8029", nullptr},
+      {Dialect::Paper, "T0", nullptr},
+      {Dialect::Q, "ST5", "STS5"},
+      {Dialect::Q, "SM400", "SM400"},
+      {Dialect::Q, "SM1880", nullptr},
       {Dialect::Fx, "D4294967296", nullptr},
       {Dialect::Fx, "D18446744073709551616", nullptr},
   };
@@ -175,7 +209,7 @@ TEST(DeviceNames, AreReadAndWritten) {
 
 TEST(DeviceNames, OfEveryDeviceComeBack) {
   for (const DeviceRange& range : device_ranges()) {
-    for (std::uint32_t number = 0; number <= range.last; ++number) {
+    for (std::uint32_t number = range.first; number <= range.last; ++number) {
       const Device device{range.kind, number};
       ASSERT_EQ(parse_device_name(device_name(device, range.dialect), range.dialect), device);
     }

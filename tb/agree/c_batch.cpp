@@ -84,7 +84,7 @@ std::string source_of(std::span<const Case> cases) {
   }
   text += "static const struct plc all[] = {\n";
   for (std::size_t i = 0; i < cases.size(); ++i) {
-    text += fmt::format("{{{0}Reset, {0}Cycle, {0}Elapsed, {0}devices, n{1}, {2}}},\n",
+    text += fmt::format("{{{0}Reset, {0}Cycle, {0}Elapsed, {0}Devices, n{1}, {2}}},\n",
                         prefix_of(i), i, cases[i].devices.size());
   }
   text += fmt::format(

@@ -136,28 +136,31 @@ def page(isa, configs):
         gate = {"none": "", "exc": "exc", "unit": "unit"}[op["gate"]]
         out.append(f"| {op['name']} | {op['code']} | {on} | {op['format']} | {op['clocks']} | "
                    f"{gate} | {op['meaning']} |")
-    out += ["", "`clocks`: `one` is 1; `mul`, `div`, `mul32` and `div32` are the configuration's latency and 1 "
-            "more. On MPU1, which has one bit operand, the bit device that an instruction writes is `a`.", "",
-            "Each slot has, beside exc and its multiply-divide unit, a carry (or borrow), an accumulator acc of 16 "
-            "bits and the index ix. ADD and ADC set the carry to the sum's bit 16; SUB, SBC, CMP and LTU to the "
-            "borrow, that is s1 < s2 (+ borrow), unsigned; they do so whether they are executed or not, and "
-            "no other instruction changes it. exc, carry and acc are 0 when a scan begins. A device number in ix "
-            "counts modulo the number of devices. An instruction that uses ix stands index_latency clocks behind "
-            "its IX, or later.", "",
-            "The 16-bit operations leave two words in the unit, for MVL and MVH, the 32-bit ones four, for MVL, MVH, "
-            "MV2 and MV3. The high operand words that LDH has set stay until the next LDH, whatever the unit does "
-            "meanwhile. -2^15 / -1 is -2^15, -2^31 / -1 is -2^31, each with the remainder 0.", "",
+    out += ["", "`clocks`: `one` is 1; `mul`, `div`, `mul32` and `div32` are the configuration's "
+            "latency and 1 more. On MPU1, which has one bit operand, the bit device that an "
+            "instruction writes is `a`.", "",
+            "Each slot has, beside exc and its multiply-divide unit, a carry (or borrow), an "
+            "accumulator acc of 16 bits and the index ix. ADD and ADC set the carry to the sum's bit "
+            "16; SUB, SBC, CMP and LTU to the borrow, that is s1 < s2 (+ borrow), unsigned; they do so "
+            "whether they are executed or not, and no other instruction changes it. exc, carry and acc "
+            "are 0 when a scan begins. A device number in ix counts modulo the number of devices. An "
+            "instruction that uses ix stands index_latency clocks behind its IX, or later.", "",
+            "The 16-bit operations leave two words in the unit, for MVL and MVH, the 32-bit ones four, "
+            "for MVL, MVH, MV2 and MV3. The high operand words that LDH has set stay until the next "
+            "LDH, whatever the unit does meanwhile; a scan begins without any, and without an ix. "
+            "-2^15 / -1 is -2^15, -2^31 / -1 is -2^31, each with the remainder 0.", "",
             "## Layout of one slot's instruction", "",
             "A bit operand is a device number and, above it, its N0 flag: the operand is then the "
             "slot's previous look-up result instead of the device. `u` makes a gated instruction "
-            "run always; GET clears acc with it. Unused fields and bits are 0. All formats have what they write at "
-            "one place, and u at one place, so that neither needs a multiplexer.", "",
+            "run always; GET clears acc with it. Unused fields and bits are 0. All formats have what "
+            "they write at one place, and u at one place, so that neither needs a multiplexer.", "",
             "| | lowest bit | bit, slot | bit, MPU1 | word | test |", "|---|---|---|---|---|---|",
-            f"| sources | 0 | a, N0 of a, b, N0 of b | | source ({layout['word_bits']} bits: a constant or, in its "
-            "low bits, a word device), rs | as word |",
+            f"| sources | 0 | a, N0 of a, b, N0 of b | | source ({layout['word_bits']} bits: a "
+            "constant or, in its low bits, a word device), rs | as word |",
             "| destination | behind the longer of the sources | c, N0 of c | a | rd | c (MPU1: a) |",
-            f"| tail | behind the longest destination | row ({layout['row_bits']} bits; of SET, RST, SETX, RSTX and "
-            f"GET its lowest bit is u) | u | u, kind ({layout['kind_bits']} bits) | as word |", "",
+            f"| tail | behind the longest destination | row ({layout['row_bits']} bits; of SET, RST, "
+            "SETX, RSTX and GET its lowest bit is u) | u | "
+            f"u, kind ({layout['kind_bits']} bits) | as word |", "",
             "kind 0: s1 is device rs, s2 the device in source; 1: s1 is device rs, s2 the constant; "
             "2: s1 is the constant, s2 device rs. The opcode is in the top "
             f"{layout['op_bits']} bits. MPU3's step is slot 1 above slot 0.", "",

@@ -38,13 +38,13 @@ bool write_rotates(CUnit& unit, const Instruction& instruction, const CCondition
     CSource& body = unit.body;
     body.line("uint32_t v = (uint32_t){}{};", operands.value(0), width == 16 ? " & 0xFFFFu" : "");
     // The bit that left last. Without a turn a rotate leaves the carry as it was.
-    const bool keeps_left = !shift || !carries.empty();
+    const int count = instruction.operand(1).value;
+    const bool keeps_left = (!shift && count > 0) || !carries.empty();
     if (keeps_left) {
       body.line("uint32_t left = {};",
                 shift || carries.empty() ? "0" : unit.layout.place(carries[0]));
     }
     // Compilers warn of a loop that is never gone through.
-    const int count = instruction.operand(1).value;
     if (count > 0) turn(body, op, width, count, keeps_left);
     operands.store(0, width, "v");
     write_flag(unit, SpecialRole::Carry, "left");

@@ -22,6 +22,10 @@ bool is_instruction(const ListWord& word) {
          is_unsupported_name(word.upper);
 }
 
+// No known instruction has more operands; of another one all that follows may be its operands.
+constexpr int kMostOperands = 4;
+constexpr int kMany = 99;
+
 class Grouping {
  public:
   Grouping(const std::string& file, Diagnostics& diagnostics)
@@ -83,7 +87,7 @@ class Grouping {
     if (statement.forms.empty()) statement.unsupported = unsupported_instruction(name);
     const OperandCount count = !statement.forms.empty() ? operand_count(statement.forms)
                                : is_label(name)         ? OperandCount{0, 0}
-                                                        : OperandCount{0, 9};
+                                                        : OperandCount{0, kMany};
     while (i < words.size() && !begins_instruction(words, i, statement.operands.size(), count)) {
       statement.operands.push_back(words[i++]);
     }
@@ -97,12 +101,13 @@ class Grouping {
     const ListWord& word = words[i];
     if (word.upper == "/" || is_instruction(word)) return true;
     const bool complete = given >= static_cast<std::size_t>(count.most);
+    const bool enough = given >= static_cast<std::size_t>(count.least);
     if (is_number(word)) {
-      const bool enough = given >= static_cast<std::size_t>(count.least);
       return complete || (enough && i + 1 < words.size() &&
                           (is_instruction(words[i + 1]) || is_label(words[i + 1].upper)));
     }
-    if (complete && is_label(word.upper)) return true;
+    // No instruction takes a pointer as the operand that it can do without.
+    if (enough && count.most <= kMostOperands && is_label(word.upper)) return true;
     // A surplus operand is the fault of this instruction, any other word that of the next.
     return complete && !looks_like_operand(word.upper);
   }

@@ -60,11 +60,13 @@ bool Reference::contact(const Instruction& instruction) {
 }
 
 bool Reference::compare(const Instruction& instruction) {
-  const std::optional<Operand> left = locate(instruction.operand(0), instruction.width / 16);
-  const std::optional<Operand> right = locate(instruction.operand(1), instruction.width / 16);
-  if (!left || !right) fail();
-  const std::int32_t a = left ? read_word(*left, instruction.width) : 0;
-  const std::int32_t b = right ? read_word(*right, instruction.width) : 0;
+  const auto value = [&](std::size_t i) {
+    const std::optional<Operand> located = locate(instruction.operand(i), instruction.width / 16);
+    if (!located) fail();
+    return located ? read_word(*located, instruction.width) : 0;
+  };
+  const std::int32_t a = value(0);
+  const std::int32_t b = value(1);
   switch (instruction.relation) {
     case Relation::Equal:
       return a == b;

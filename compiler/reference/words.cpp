@@ -78,8 +78,10 @@ void Reference::execute_move(const Instruction& instruction) {
     case Op::Xch: {
       const Operand& second = instruction.operand(1);
       const auto other = static_cast<std::uint32_t>(read_word(second, width));
-      write_word(first, other, width);
-      return write_word(second, value, width);
+      // The lower device first, which two pairs that overlap show.
+      const bool ascending = first.device < second.device;
+      write_word(ascending ? first : second, ascending ? other : value, width);
+      return write_word(ascending ? second : first, ascending ? value : other, width);
     }
     default:
       break;

@@ -88,15 +88,16 @@ class Flow {
   void open(std::size_t at, int level = 0) {
     scopes_.push_back({at, scope_, level});
     scope_ = scopes_.size() - 1;
+    ++depths_open_[code_[at].op];
   }
-  void leave() { scope_ = scopes_[scope_].outer; }
+  void leave() {
+    --depths_open_[opener_op()];
+    scope_ = scopes_[scope_].outer;
+  }
 
   int depth_of(Op op) const {
-    int depth = 0;
-    for (std::size_t s = scope_; s != kNone; s = scopes_[s].outer) {
-      if (code_[scopes_[s].opener].op == op) ++depth;
-    }
-    return depth;
+    const auto found = depths_open_.find(op);
+    return found == depths_open_.end() ? 0 : found->second;
   }
 
   void open_loop(std::size_t at) {
@@ -384,6 +385,7 @@ class Flow {
   std::map<int, std::size_t> labels_;
   std::vector<Scope> scopes_;
   std::size_t scope_ = kNone;
+  std::map<Op, int> depths_open_;                            // of FOR, MC, STL
   std::vector<std::size_t> scope_of_;                        // of each instruction
   std::size_t routine_ = 0;                                  // 0 is the main program
   std::vector<std::size_t> routine_of_;                      // of each instruction

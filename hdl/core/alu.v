@@ -10,12 +10,15 @@ module alu (
     input  wire                       scan_start_i,
     // ID2: opcode as issued
     input  wire [  `RUNG_OP_BITS-1:0] d2_op_i,
-    // EX: operands, and what GET gathered
+    // EX: operands, what GET gathered, and what the other banks hold at rd
     input  wire [`RUNG_WORD_BITS-1:0] x_s1_i,
     input  wire [`RUNG_WORD_BITS-1:0] x_s2_i,
     input  wire [`RUNG_WORD_BITS-1:0] x_acc_i,
-    // EX: the result; s1 + s2, if the instruction is IX; the result of a test, 0 if it is none
+    input  wire [`RUNG_WORD_BITS-1:0] x_cross_i,
+    // EX: the result, and what this slot's bank gets; s1 + s2, if the instruction is IX; the result of
+    // a test, 0 if it is none
     output wire [`RUNG_WORD_BITS-1:0] x_result_o,
+    output wire [`RUNG_WORD_BITS-1:0] x_bank_o,
     output wire [`RUNG_WORD_BITS-1:0] x_sum_o,
     output wire                       x_test_o
 );
@@ -135,12 +138,15 @@ module alu (
   wire [BITS-1:0] x_rotated = x_by[3] ? {x_by_7[BITS-9:0], x_by_7[BITS-1-:8]} : x_by_7;
 
   // ---- EX: the result --------------------------------------------------------------------------
-  // The adder is the latest, so one exclusive-or comes behind it: of 0 and the sum; or, for the
-  // smaller one, of s2 and, if s1 is less, the bits in which they differ.
+  // The adder is the latest, so only exclusive-ors come behind it, in one level of look-up tables: of
+  // all that is early, of the sum, and, for the smaller one, of the bits in which s2 has to change if
+  // s1 is less.
   wire [BITS-1:0] x_early =
       x_logic | ({BITS{x_rotate_q}} & x_rotated) | ({BITS{x_acc_q}} & x_acc_i);
-  wire [BITS-1:0] x_change = {BITS{x_sum_q}} | ({BITS{x_minimum_q}} & (x_s1_i ^ x_s2_i));
-  assign x_result_o = x_early ^ (x_change & (x_sum_q ? x_sum[BITS-1:0] : {BITS{x_less}}));
+  wire [BITS-1:0] x_change = {BITS{x_minimum_q}} & (x_s1_i ^ x_s2_i);
+  wire [BITS-1:0] x_late = ({BITS{x_sum_q}} & x_sum[BITS-1:0]) ^ ({BITS{x_less}} & x_change);
+  assign x_result_o = x_early ^ x_late;
+  assign x_bank_o = (x_early ^ x_cross_i) ^ x_late;
   assign x_sum_o = x_sum[BITS-1:0];
   assign x_test_o = (x_less_q && x_less) || (x_equal_q && x_s1_i == x_s2_i) ||
                     (x_bit_q && x_rotated[BITS-1]);

@@ -240,7 +240,13 @@ module word_unit #(
     end
   endgenerate
 
-  wire [BITS-1:0] x_result;
+  reg [BITS-1:0] x_others;
+  integer j;
+  always @* begin
+    x_others = {BITS{1'b0}};
+    for (j = 0; j < SLOTS; j = j + 1) x_others = x_others ^ x_cross[j*BITS+:BITS];
+  end
+
   alu alu (
       .clk_i(clk_i),
       .scan_start_i(scan_start_i),
@@ -248,23 +254,16 @@ module word_unit #(
       .x_s1_i(x_s1),
       .x_s2_i(x_s2),
       .x_acc_i(x_acc_i),
-      .x_result_o(x_result),
+      .x_cross_i(x_others),
+      .x_result_o(x_value_o),
+      .x_bank_o(x_bank_o),
       .x_sum_o(x_sum_o),
       .x_test_o(x_test_o)
   );
 
-  reg [BITS-1:0] x_bank;
-  integer j;
-  always @* begin
-    x_bank = x_result;
-    for (j = 0; j < SLOTS; j = j + 1) x_bank = x_bank ^ x_cross[j*BITS+:BITS];
-  end
-
   wire x_run = x_always_q || x_exc_i;
   assign x_we_o = x_we_q && x_run;
   assign x_test_we_o = x_test_q && x_run;
-  assign x_value_o = x_result;
-  assign x_bank_o = x_bank;
 
   muldiv #(
       .MUL_DSP(MUL_DSP)

@@ -74,6 +74,91 @@ constexpr Accepted kDialects[] = {
     {"ResetOfAWord", "LD X0\nRST D5\nRST M5\nRST Y5\nEND", "fx\nLD X0 | RST D5 | RST M5 | RST Y5"},
 };
 
+constexpr Accepted kInstructions[] = {
+    {"Contacts",
+     "LDP X0\nANDF Y1\nORP M8013\nAND T5\nORI C200\nANI S3\nINV\nMEP\nMEF\nOUT M8200\nEND",
+     "fx\nLDP X0 | ANDF Y1 | ORP M8013 | AND TS5 | ORI CS200 | ANI S3 | INV | MEP | MEF | OUT "
+     "M8200"},
+    {"Compares",
+     "LD= D0 K5\nAND<> T0 C5\nOR<= K4X0 H0F\nLDD>= D0 C200\nANB\nORD< K-70000 K8M0\nANDD> D2 "
+     "D4\nOUT Y0\nEND",
+     "fx\nLD= D0 5 | AND<> TN0 CN5 | OR<= 4xX0 15 | DLD>= D0 CN200 | ANB | DOR< -70000 8xM0 | "
+     "DAND> "
+     "D2 D4 | OUT Y0"},
+    {"TimersAndCounters",
+     "LD X0\nOUT T0 K50\nOUT T200 D5\nOUT T249 K1\nOUT T250 K1\nOUT T256 K0\nOUT C0 K5\nOUT C234 "
+     "K-70000\nRST T0\nRST C200\nRST D5\nEND",
+     "fx\nLD X0 | OUTT TS0 50 100000us | OUTT TS200 D5 10000us | OUTT TS249 1 1000us | OUTT TS250 "
+     "1 "
+     "100000us | OUTT TS256 0 1000us | OUTC CS0 5 | DOUTC CS234 -70000 | RST TS0 | RST CS200 | RST "
+     "D5"},
+    {"TimersOfQ",
+     "LD SM400\n+ K1 D0\nOUT T2047 K5\nOUTH T1 K5\nOUT ST2 D1\nOUTH ST3 K5\nOUT C1023 K5\nRST "
+     "ST2\nEND",
+     "q\nLD SM400 | ADD D0 1 D0 two | OUTT TS2047 5 100000us | OUTT TS1 5 10000us | OUTT STS2 D1 "
+     "100000us | OUTT STS3 5 10000us | OUTC CS1023 5 | RST STS2"},
+    {"Bits",
+     "LD X0\nPLS M0\nPLF Y1\nALT M2\nALTP M3\nFF M4\nOUTI Y5\nSET D0.F\nSFTLP X0 M0 K16 "
+     "K4\nSFTR M20 M0 K8 K8\nEND",
+     "fx\nLD X0 | PLS M0 | PLF Y1 | ALT M2 | ALTP M3 | ALTP M4 | OUTI Y5 | SET D0.15 | SFTLP X0 M0 "
+     "16 4 | SFTR M20 M0 8 8"},
+    {"ShiftsOfQ", "LD X0\n- K1 D0\nSFT M5\nBSFLP M0 K9\nBSFR B1F K2\nDSFL D0 K5\nDSFRP W1A K2\nEND",
+     "q\nLD X0 | SUB D0 1 D0 two | SFT M5 | BSFLP M0 9 | BSFR B1F 2 | DSFL D0 5 | DSFRP W1A 2"},
+    {"Words",
+     "LD X0\nDMOVP K70000 D0\nCML K2X0 D1\nBCD D0 K4Y0\nBINP K4X0 V\nXCH D0 D1\nDSWAP D0\nBMOV "
+     "K1X0 D0 K4\nDFMOV K-1 D0 K512\nINCP D0\nDDEC D0\nNEG Z3\nEND",
+     "fx\nLD X0 | DMOVP 70000 D0 | CML 2xX0 D1 | BCD D0 4xY0 | BINP 4xX0 V0 | XCH D0 D1 | DSWAP D0 "
+     "| "
+     "BMOV 1xX0 D0 4 | DFMOV -1 D0 512 | INCP D0 | DDEC D0 | NEG Z3"},
+    {"Arithmetic",
+     "LD X0\nDADDP D0 K1 D2\nDMUL D0 D2 D4\nDDIVP D0 D2 D4\nWAND D0 H0FF D1\nDOR D0 D2 D4\nWXORP "
+     "D0 D1 K1M0\nEND",
+     "fx\nLD X0 | DADDP D0 1 D2 | DMUL D0 D2 D4 wide | DDIVP D0 D2 D4 wide | WAND D0 255 D1 | DWOR "
+     "D0 D2 D4 | WXORP D0 D1 1xM0"},
+    {"ArithmeticOfQ",
+     "LD X0\nD+ K70000 D0\nD-P D0 D2 D4\n* K2 D0\nD/ D0 D2 D4\nWAND D0 D1\nDXNRP D0 D2\nWXNR D0 "
+     "D1 D2\nEND",
+     "q\nLD X0 | DADD D0 70000 D0 two | DSUBP D0 D2 D4 | MUL D0 2 D0 wide two | DDIV D0 D2 D4 wide "
+     "| "
+     "WAND D1 D0 D1 two | DWXNRP D2 D0 D2 two | WXNR D0 D1 D2"},
+    {"RotatesAndRanges",
+     "LD X0\nROL D0 K16\nDRORP D0 K0\nRCL D0 K1\nRCRP K4M0 K2\nSFL D0 K15\nSFRP D0 K0\nWSFL D0 D10 "
+     "K5 K5\nCMP K1 D0 M0\nDZCPP K1 K9 C200 Y0\nZRST T0 T9\nZRSTP S0 S9\nEND",
+     "fx\nLD X0 | ROL D0 16 | DRORP D0 0 | RCL D0 1 | RCRP 4xM0 2 | SFL D0 15 | SFRP D0 0 | WSFL "
+     "D0 "
+     "D10 5 5 | CMP 1 D0 M0 | DZCPP 1 9 CN200 Y0 | ZRST TS0 TS9 | ZRSTP S0 S9"},
+    {"Indexes", "LD X0Z0\nANI M10V7\nOUT Y0Z1\nRST D5Z2\nMOV D20V D30Z3\nDADD D0Z0 R5Z1 D2V1\nEND",
+     "fx\nLD X0[Z0] | ANI M10[V7] | OUT Y0[Z1] | RST D5[Z2] | MOV D20[V0] D30[Z3] | DADD D0[Z0] "
+     "R5[Z1] D2[V1]"},
+    {"BitsOfWordsOfQ", "LD D0.A\nANI W1F.0\nLDP SW1.F\nORB\nMOV K1F0 D0\n+ K1 D0\nEND",
+     "q\nLD D0.10 | ANI W1F.0 | LDP SW1.15 | ORB | MOV 1xF0 D0 | ADD D0 1 D0 two"},
+};
+
+constexpr Accepted kFlow[] = {
+    {"Labels", "0 P0\n1 LD X0\n2 CJ P1\n5 LD X1 OUT Y1 P1\nLD X2 CJ P63 LD X3 OUT Y3 END",
+     "fx\nLABEL 0\nLD X0 | CJ 1 ->5\nLD X1 | OUT Y1\nLABEL 1\nLD X2 | CJ 63 ->10\nLD X3 | OUT Y3"},
+    {"Subroutines",
+     "LD X0\nCALLP P2\nFEND\nP2\nLD X1\nCALL P3\nSRET\nP3\nLD X2\nOUT Y2\nSRET\nLD X3\nOUT "
+     "Y3\nEND",
+     "fx\nLD X0 | CALLP 2 ->3\nFEND\nLABEL 2\nLD X1 | CALL 3 ->7\nSRET\nLABEL 3\nLD X2 | OUT "
+     "Y2\nSRET\nLD X3 | OUT Y3"},
+    {"RetOfQEndsASubroutine", "LD X0\n+ K1 D0\nCALL P0\nFEND\nP0\nLD X1\nOUT Y1\nRET\nEND",
+     "q\nLD X0 | ADD D0 1 D0 two | CALL 0 ->4\nFEND\nLABEL 0\nLD X1 | OUT Y1\nSRET"},
+    {"Loops", "NOP\nFOR K3\nFOR K2\nLD X0\nINC D0\nNEXT\nNOP\nNEXT\nEND",
+     "fx\nNOP\nFOR 3 ->7\nFOR 2 ->5\nLD X0 | INC D0\nNEXT ->2\nNOP\nNEXT ->1"},
+    {"Zones",
+     "LD X0\nMC N0 M0\nLD X1\nOUT Y1\nLD X2\nMC N1 M1\nLD X3\nOUT Y3\nMCR N1\nLD X4\nMC N1 M2\nLD "
+     "X5\nOUT Y5\nMCR N0\nEND",
+     "fx\nLD X0 | MC 0 M0\nLD X1 | OUT Y1\nLD X2 | MC 1 M1\nLD X3 | OUT Y3\nMCR 1\nLD X4 | MC 1 "
+     "M2\nLD X5 | OUT Y5\nMCR 0"},
+    {"States",
+     "LD M8002\nSET S0\nSTL S0\nOUT Y0\nOUT Y1\nLD X0\nSET S20\nSTL S20\nSTL S21\nLD X1\nOUT "
+     "S0\nRET\nLD X2\nOUT Y2\nEND",
+     "fx\nLD M8002 | SET S0\nSTL S0 | OUT Y0 | OUT Y1\nLD X0 | SET S20\nSTL S20\nSTL S21\nLD X1 | "
+     "OUT "
+     "S0\nRET\nLD X2 | OUT Y2"},
+};
+
 constexpr Accepted kNetworks[] = {
     {"LeadingNopsBelongToTheNext", "NOP\nLD X0\nOUT Y0\nNOP\nNOP\nLD X1\nOUT Y1\nNOP\nEND",
      "fx\nNOP | LD X0 | OUT Y0\nNOP | NOP | LD X1 | OUT Y1 | NOP"},
@@ -100,6 +185,9 @@ constexpr Accepted kNetworks[] = {
 std::string parameter_name(const testing::TestParamInfo<Accepted>& info) { return info.param.name; }
 INSTANTIATE_TEST_SUITE_P(Forms, AcceptedList, testing::ValuesIn(kForms), parameter_name);
 INSTANTIATE_TEST_SUITE_P(Dialects, AcceptedList, testing::ValuesIn(kDialects), parameter_name);
+INSTANTIATE_TEST_SUITE_P(Instructions, AcceptedList, testing::ValuesIn(kInstructions),
+                         parameter_name);
+INSTANTIATE_TEST_SUITE_P(Flow, AcceptedList, testing::ValuesIn(kFlow), parameter_name);
 INSTANTIATE_TEST_SUITE_P(Networks, AcceptedList, testing::ValuesIn(kNetworks), parameter_name);
 
 TEST(List, LadderDriveNeedsNoEnd) {

@@ -29,8 +29,12 @@ constexpr Story kIndexed[] = {
     // Though X0 is off: every contact is evaluated.
     {"ContactInSeriesSetsTheError", "LD X0, AND M10Z0, OUT Y0, LD M8067, OUT Y2", "Z0=-1",
      "M8067=1 Y0=0 Y2=1"},
-    {"ComparesOutsideAreOff", "LD<> D10Z0 K5, OUT Y0, LD M8067, OUT Y1", "Z0=1 | Z0=128",
-     "Y0=1 Y1=0 | M8067=1 Y0=0 Y1=1"},
+    // 0 is compared: the contact may well be on. In 32 bits both words are 0 as soon as one is
+    // outside.
+    {"ComparesOutsideReadZero", "LD<> D10Z0 K5, OUT Y0, LD= D10Z0 K5, OUT Y1, LD M8067, OUT Y2",
+     "D11=5 Z0=1 | Z0=128", "Y0=0 Y1=1 Y2=0 | M8067=1 Y0=1 Y1=0 Y2=1"},
+    {"ComparesOfPairsOutside", "LDD= D10Z0 K0, OUT Y0, LD M8067, OUT Y1", "D137=5 Z0=126 | Z0=127",
+     "Y0=0 Y1=0 | M8067=1 Y0=1 Y1=1"},
     {"Coils", "LD X0, OUT Y10Z0, SET M10Z1, RST M20Z1", "X0=1 Z0=1 Z1=2 | X0=0",
      "Y11=1 M12=1 M22=0 | Y11=0"},
     {"OutOutsideAlwaysSetsTheError", "LD X0, OUT Y10Z0, LD M8067, OUT M0", "Z0=-9", "M8067=1 M0=1"},

@@ -12,6 +12,8 @@ constexpr Story kMoves[] = {
     {"Cml", "LD X0, CML K0 D0, CML K1X0 D1, DCML K1 D2", "X0=1", "D0=-1 D1=-2 D2=-2 D3=-1"},
     {"Xch", "LD X0, XCHP D0 D1, DXCHP D2 D4", "X0=1 D0=1 D1=2 D2=3 D3=4 D4=5 D5=6 |",
      "D0=2 D1=1 D2=5 D3=6 D4=3 D5=4 |"},
+    // Both pairs are read, then D0 and D1 are written before D1 and D2.
+    {"XchOfOverlappingPairs", "LD X0, DXCHP D1 D0", "X0=1 D0=1 D1=2 D2=3", "D0=2 D1=3 D1=1 D2=2"},
     // 5 and AB: the group takes the lower digit.
     {"XchOfDigits", "LD X0, XCHP K1M0 D0", "X0=1 M0=1 M2=1 D0=171", "M0=1 M1=1 M2=0 M3=1 D0=5"},
     // 1234 5678

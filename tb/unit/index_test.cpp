@@ -65,35 +65,31 @@ TEST_P(Index, AtTheLatencyAndLater) {
   }
 }
 
-// An index for each step, one behind the other: each user takes the one of latency steps before.
+// An index for each step: the last one counts, and each slot has its own.
 TEST_P(Index, ANewIndexEveryStep) {
   Bench bench(GetParam());
   fill(bench);
   for (int slot = 0; slot < bench.slots(); ++slot) {
-    std::vector<Step> program;
-    for (int i = 0; i < kSize + kLatency; ++i) {
-      Step step = bench.step(nop());
-      if (i < kSize) {
-        step[static_cast<std::size_t>(slot)] =
-            with_constant(Opcode::Ix, kZero, static_cast<std::uint16_t>(kTable + (i * 5) % kSize));
+    for (int count = 1; count <= kSize; ++count) {
+      std::vector<Step> program;
+      for (int i = 0; i < count; ++i) {
+        program.push_back(bench.step(
+            with_constant(Opcode::Ix, kZero, static_cast<std::uint16_t>(kTable + i * 5 % kSize)),
+            slot));
       }
-      program.push_back(step);
+      pad(bench, program, kLatency);
+      program.push_back(bench.step(into(Opcode::Mvx, kResult, true), slot));
+      if (bench.slots() == 2) {
+        const auto other = static_cast<std::size_t>(1 - slot);
+        program.front()[other] = with_constant(Opcode::Ix, kZero, kTable + 3);
+        program.back()[other] = into(Opcode::Mvx, kResult + 1, true);
+      }
+      ASSERT_TRUE(bench.scan(program));
+      EXPECT_EQ(bench.rtl().read_word(kResult), 0x100 * ((count - 1) * 5 % kSize) + 7);
+      if (bench.slots() == 2) {
+        EXPECT_EQ(bench.rtl().read_word(kResult + 1), 0x307);
+      }
     }
-    // Reads behind them: each of the index of kLatency steps before.
-    for (int i = kSize; i < kSize + kLatency; ++i) {
-      const isa::SlotInstruction read = into(Opcode::Mvx, kResult + i, true);
-      program[static_cast<std::size_t>(i)][static_cast<std::size_t>(slot)] = read;
-    }
-    if (bench.slots() == 2) {  // the other slot's index stays out of it
-      program.front()[static_cast<std::size_t>(1 - slot)] =
-          with_constant(Opcode::Ix, kZero, kTable + 3);
-      program.push_back(bench.step(into(Opcode::Mvx, kResult, true), 1 - slot));
-    }
-    ASSERT_TRUE(bench.scan(program));
-    for (int i = kSize; i < kSize + kLatency; ++i) {
-      EXPECT_EQ(bench.rtl().read_word(kResult + i), 0x100 * ((i - kLatency) * 5 % kSize) + 7);
-    }
-    if (bench.slots() == 2) EXPECT_EQ(bench.rtl().read_word(kResult), 0x307);
   }
 }
 

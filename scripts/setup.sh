@@ -21,7 +21,7 @@ logs=$build/logs
 venv=$build/venv
 requirements=$root/scripts/requirements.txt
 
-build_packages=(g++ cmake ninja-build ccache verilator python3 zlib1g-dev
+build_packages=(g++ tcc cmake ninja-build ccache verilator python3 zlib1g-dev
                 libgtest-dev libcli11-dev libfmt-dev nlohmann-json3-dev libutfcpp-dev)
 venv_packages=(python3 python3-venv ca-certificates)
 

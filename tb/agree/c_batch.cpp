@@ -84,7 +84,7 @@ std::string source_of(std::span<const Case> cases) {
   }
   text += "static const struct plc all[] = {\n";
   for (std::size_t i = 0; i < cases.size(); ++i) {
-    text += fmt::format("{{{0}Reset, {0}Cycle, {0}Elapsed, {0}devices, n{1}, {2}}},\n",
+    text += fmt::format("{{{0}Reset, {0}Cycle, {0}Elapsed, {0}Devices, n{1}, {2}}},\n",
                         prefix_of(i), i, cases[i].devices.size());
   }
   text += fmt::format(
@@ -138,16 +138,19 @@ States states_of(const Case& one, const std::string& output, std::size_t& at) {
 
 }  // namespace
 
-CRun run_as_c(std::span<const Case> cases, const std::string& folder, const std::string& name) {
+CRun run_as_c(std::span<const Case> cases, CCompiler compiler, const std::string& folder,
+              const std::string& name) {
   const std::string base = folder + "/" + name;
   write(base + ".c", source_of(cases));
   write(base + ".in", input_of(cases));
   CRun run;
-  const std::string compile = fmt::format(
-      "{0} -O0 -std=c99 -Wall -Wextra -pedantic -Werror -fsanitize=undefined "
-      "-fsanitize-undefined-trap-on-error {1}.c -o {1} >{1}.log 2>&1",
-      RUNG_C_COMPILER, base);
-  if (std::system(compile.c_str()) != 0) {
+  const bool fast = compiler == CCompiler::Fast && *RUNG_FAST_C_COMPILER != '\0';
+  const std::string command =
+      fast ? RUNG_FAST_C_COMPILER " -w"
+           : RUNG_C_COMPILER
+          " -O0 -std=c99 -Wall -Wextra -pedantic -Werror -fsanitize=undefined "
+          "-fsanitize-undefined-trap-on-error";
+  if (std::system(fmt::format("{0} {1}.c -o {1} >{1}.log 2>&1", command, base).c_str()) != 0) {
     run.failure = read(base + ".log").substr(0, 4000);
     return run;
   }

@@ -15,8 +15,12 @@ struct CRun {
   std::vector<States> states;  // of each case
 };
 
-// Translates, compiles and runs `cases`; files named after `name` are left in `folder`. Warnings
-// are errors, and undefined behaviour ends the process.
-CRun run_as_c(std::span<const Case> cases, const std::string& folder, const std::string& name);
+// Strict: the C compiler of the build; warnings are errors, undefined behaviour ends the process.
+// Fast: tcc, which takes a twentieth of the time; without one, strict.
+enum class CCompiler : std::uint8_t { Strict, Fast };
+
+// Translates, compiles and runs `cases`; files named after `name` are left in `folder`.
+CRun run_as_c(std::span<const Case> cases, CCompiler compiler, const std::string& folder,
+              const std::string& name);
 
 }  // namespace rung::tb

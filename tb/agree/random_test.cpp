@@ -22,6 +22,8 @@ namespace {
 constexpr std::uint64_t kDefaultCount = 10000;
 // Programs in one translation unit: what the compiler needs to begin counts less than a program.
 constexpr std::uint64_t kBatch = 100;
+// One batch in so many goes through the strict compiler.
+constexpr std::uint64_t kStrictEvery = 10;
 
 std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
   const char* text = std::getenv(name);
@@ -58,7 +60,8 @@ class Agreement {
   }
 
   void run() {
-    const CRun c = run_as_c(cases_, RUNG_SCRATCH, name_);
+    compiler_ = batches_++ % kStrictEvery == 0 ? CCompiler::Strict : CCompiler::Fast;
+    const CRun c = run_as_c(cases_, compiler_, RUNG_SCRATCH, name_);
     for (std::size_t i = 0; i < cases_.size() && i < c.states.size(); ++i) {
       const std::string found = difference(cases_[i], run_reference(cases_[i]), c.states[i], "C");
       if (!found.empty()) return report(cases_[i], found);
@@ -74,9 +77,7 @@ class Agreement {
  private:
   // Differs even after lines were taken out.
   void report(const Case& one, const std::string& found) {
-    const auto differs = [&](const std::string& text) {
-      return !difference_of(one, text).empty();
-    };
+    const auto differs = [&](const std::string& text) { return !difference_of(one, text).empty(); };
     const std::string small = shrink(one.text, differs);
     const char* const families = std::getenv("RUNG_FAMILIES");
     FAIL() << found
@@ -89,7 +90,7 @@ class Agreement {
     std::string messages;
     const std::optional<Case> one = make_case(original.seed, text, messages, &original);
     if (!one) return {};
-    const CRun c = run_as_c({&*one, 1}, RUNG_SCRATCH, name_ + "-shrink");
+    const CRun c = run_as_c({&*one, 1}, compiler_, RUNG_SCRATCH, name_ + "-shrink");
     return c.states.empty() ? "" : difference(*one, run_reference(*one), c.states[0], "C");
   }
 
@@ -97,6 +98,8 @@ class Agreement {
   std::vector<Family> families_;
   std::vector<Case> cases_;
   std::map<Dialect, MelsecCoverage> coverage_;
+  CCompiler compiler_ = CCompiler::Strict;
+  std::uint64_t batches_ = 0;
   std::uint64_t programs_ = 0;
 };
 

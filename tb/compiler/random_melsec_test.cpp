@@ -3,11 +3,12 @@
 // for.
 #include "programs/random_melsec.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "melsec/list.hpp"
 #include "programs/melsec_stimulus.hpp"
 #include "programs/shrink.hpp"
-#include "support.hpp"
 
 namespace rung {
 namespace {
@@ -47,8 +48,10 @@ TEST(RandomMelsec, EveryFamilyAloneIsValidAndThere) {
       MelsecCoverage coverage;
       for (std::uint64_t seed = 0; seed < 40; ++seed) {
         const std::string text = random_melsec(seed, only(dialect, family));
-        const ParseResult result = parse(text, dialect);
-        ASSERT_TRUE(result.program) << family_name(family) << '\n' << result.messages << text;
+        Diagnostics diagnostics;
+        const auto source = decode_text(text, "t.il", diagnostics);
+        ASSERT_TRUE(parse_list(*source, dialect, diagnostics)) << family_name(family) << '\n'
+                                                               << text;
         coverage.count(text);
       }
       EXPECT_GT(coverage.of("OUT"), 20U);

@@ -7,6 +7,7 @@
 #include <cassert>
 #include <iterator>
 #include <map>
+#include <stdexcept>
 
 namespace rung::logic {
 namespace {
@@ -26,6 +27,7 @@ class Builder {
       blocks_.clear();
       branches_.clear();
       leaves_.clear();
+      result_ = kNoNode;
       const core::Network& network = program_.networks[n];
       for (std::size_t i = 0; i < network.count; ++i) execute(network.first + i);
     }
@@ -120,8 +122,15 @@ class Builder {
     return add(node);
   }
 
+  // The structure of a program is checked before; what lowering makes of it has to keep it.
+  void require(NodeId result) const {
+    if (result != kNoNode) return;
+    throw std::logic_error(fmt::format(
+        "internal error in lowering: core instruction {} has no result to work on", instruction_));
+  }
+
   NodeId inverse(NodeId of) {
-    assert(of != kNoNode);
+    require(of);
     if (logic_.nodes[of].kind == NodeKind::NotLeaf) return logic_.nodes[of].left;
     // A leaf that has been overwritten since can only be had from where it was kept.
     const Node& child = logic_.nodes[of];
@@ -134,7 +143,8 @@ class Builder {
   }
 
   NodeId gate(NodeKind kind, NodeId left, NodeId right) {
-    assert(left != kNoNode && right != kNoNode);
+    require(left);
+    require(right);
     Node node;
     node.kind = kind;
     node.left = left;
@@ -159,6 +169,7 @@ class Builder {
     for (const WordSource& source : instruction.sources) action.operands.push_back(operand(source));
     for (const Device device : instruction.reads) action.reads.push_back({device, version(device)});
     if (!instruction.always) {
+      require(result_);
       action.condition = result_;
       if (conditions_.size() < logic_.nodes.size()) conditions_.resize(logic_.nodes.size());
       if (!conditions_[result_]) ++logic_.nodes[result_].uses;

@@ -41,16 +41,6 @@ void separate(Context& context, const Words& a, Words& b) {
   }
 }
 
-Words in_words(Context& context, const Words& value) {
-  Words words;
-  for (const WordSource& source : value) {
-    const Device device = context.temporary_word();
-    context.always(Core::Mov, {device}, {source});
-    words.push_back(word(device));
-  }
-  return words;
-}
-
 std::vector<Device> temporaries(Context& context, int count) {
   std::vector<Device> devices;
   for (int i = 0; i < count; ++i) devices.push_back(context.temporary_word());
@@ -104,7 +94,8 @@ void set_flags(Context& context, const std::vector<Device>& flags, Device value)
   }
 }
 
-Device is_zero(Context& context, const Words& value) {
+Device is_zero(Context& context, const Words& given) {
+  const Words value = in_words(context, given);
   const Device low = context.temporary_bit();
   context.always(Core::Eq, {low}, {value[0], constant(0)});
   if (value.size() == 1) return low;
@@ -248,17 +239,29 @@ void multiply_or_divide(Context& context) {
   // A constant divisor is 0 or is not; the one that is goes through words, to be found at fault.
   if (divide && all_constant(b, b) && number(b) == 0) b = in_words(context, b);
   separate(context, a, b);
-  // The divider itself writes nothing when it divides by 0; a relay has to be told.
-  const bool told = !context.named_of_role(SpecialRole::Error).empty() || to.offset;
-  if (divide && told && !all_constant(b, b)) requirements.faults.push_back(is_zero(context, b));
-  const Core op =
-      wide(context) ? (divide ? Core::Div32 : Core::Mul32) : (divide ? Core::Div : Core::Mul);
+  // The divider itself writes nothing when it divides by 0; others have to be told.
+  const std::vector<Device> errors = context.named_of_role(SpecialRole::Error);
   std::vector<Device> targets = direct_words(context, to, count);
   const bool direct = !targets.empty();
+  std::optional<Device> fault;
+  if (divide && (!errors.empty() || !direct) && !all_constant(b, b)) fault = is_zero(context, b);
+  const Core op = wide(context) ? (divide ? Core::Div32 : Core::Mul32)
+                                : (divide ? Core::Div : Core::Mul);
   if (!direct) targets = temporaries(context, count);
   Execution execution(context, requirements);
   context.emit(operation(op, targets, a, b));
-  if (!direct) store(context, to, as_words(targets));
+  if (fault && !errors.empty()) {
+    context.block(Core::Mps);
+    context.contact(Core::And, *fault);
+    for (const Device error : errors) context.coil(Core::Set, error, true);
+    context.block(Core::Mpp);
+  }
+  if (!direct) {
+    context.block(Core::Mps);
+    if (fault) context.contact(Core::Ani, *fault);
+    store(context, to, as_words(targets));
+    context.block(Core::Mpp);
+  }
   execution.end();
 }
 

@@ -15,7 +15,7 @@ using Core = core::Op;
 void leave_states(Context& context, Device target) {
   if (target.kind != DeviceKind::S) return;
   for (const Device state : context.states()) {
-    if (state != target) context.coil(Core::Set, context.memory_of(state, Context::Role::Left));
+    context.coil(Core::Set, context.memory_of(state, Context::Role::Left));
   }
 }
 
@@ -72,7 +72,7 @@ void set_or_reset(Context& context, bool on) {
   }
   if (operand.index) {
     const Offset offset = index_offset(context, operand, 1);
-    Execution execution(context, {{offset.inside}, {}});
+    Execution execution(context, {{offset.inside}});
     if (is_word(operand.device)) {
       core::Instruction store;
       store.op = Core::StoreWord;
@@ -111,11 +111,9 @@ void out(Context& context) {
 
 // The result stays what it was: OUTI is the one output that writes something else.
 void out_inverse(Context& context) {
-  context.gate();
   context.block(Core::Mps);
   context.block(Core::Inv);
-  if (context.power()) context.contact(Core::And, *context.power());
-  context.drive(context.source().operand(0).device);
+  out(context);
   context.block(Core::Mpp);
 }
 

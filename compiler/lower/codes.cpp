@@ -63,18 +63,6 @@ Device digits_good(Context& context, const WordSource& value) {
   return good;
 }
 
-// The constant goes through a word, so that what follows need not care.
-Words in_words(Context& context, const Words& value) {
-  Words words = value;
-  for (WordSource& each : words) {
-    if (!each.constant) continue;
-    const Device device = context.temporary_word();
-    context.always(Core::Mov, {device}, {each});
-    each = word(device);
-  }
-  return words;
-}
-
 std::vector<Device> divide_by_10000(Context& context, const Words& value) {
   core::Instruction instruction;
   instruction.op = Core::Div32;

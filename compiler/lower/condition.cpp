@@ -7,16 +7,13 @@ using core::Op;
 
 Execution::Execution(Context& context, const Requirements& requirements) : context_(context) {
   std::optional<Device> good;
-  if (!requirements.valid.empty() || !requirements.faults.empty()) {
+  if (requirements.valid.size() == 1) {
+    good = requirements.valid.front();
+  } else if (!requirements.valid.empty()) {
     std::vector<std::pair<Device, bool>> all;
     for (const Device bit : requirements.valid) all.emplace_back(bit, false);
-    for (const Device bit : requirements.faults) all.emplace_back(bit, true);
-    if (all.size() == 1 && !all.front().second) {
-      good = all.front().first;
-    } else {
-      good = context.temporary_bit();
-      context.compute(*good, all);
-    }
+    good = context.temporary_bit();
+    context.compute(*good, all);
   }
   context.gate();
   if (context.source().pulse) memory_ = context.memory();

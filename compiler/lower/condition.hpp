@@ -8,10 +8,9 @@
 
 namespace rung::lower {
 
-// What has to hold beside the result for an instruction to be executed: these bits 1 and those 0.
+// What has to hold beside the result for an instruction to be executed: all of these bits.
 struct Requirements {
   std::vector<Device> valid;
-  std::vector<Device> faults;
 };
 
 // From begin() to end() core instructions run under the condition of the current source

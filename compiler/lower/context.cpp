@@ -26,14 +26,24 @@ Context::Context(const Program& program) : program_(program) {
 }
 
 void Context::begin_network() {
-  if (nesting_++ > 0) return;
+  begins_.push_back(out_.instructions.size());
+  if (begins_.size() > 1) return;
   out_.networks.push_back({out_.instructions.size(), 0});
   if (next_bit_ > kBitsBeforeReuse) next_bit_ = 0;
   if (next_word_ > kWordsBeforeReuse) next_word_ = 0;
 }
 
 void Context::end_network() {
-  if (--nesting_ > 0) return block(core::Op::Pop);
+  const auto first = out_.instructions.begin() + static_cast<std::ptrdiff_t>(begins_.back());
+  begins_.pop_back();
+  if (!begins_.empty()) {
+    // Of NOPs alone there is no result to drop.
+    const bool result = std::any_of(first, out_.instructions.end(), [](const auto& instruction) {
+      return instruction.op == core::Op::Ld || instruction.op == core::Op::Ldi;
+    });
+    if (result) block(core::Op::Pop);
+    return;
+  }
   core::Network& network = out_.networks.back();
   network.count = out_.instructions.size() - network.first;
   if (network.count == 0) out_.networks.pop_back();

@@ -106,7 +106,7 @@ class Context {
   const Program& program_;
   core::Program out_;
   std::size_t index_ = 0;
-  int nesting_ = 0;
+  std::vector<std::size_t> begins_;  // of the networks that are open, by their first instruction
   std::optional<Device> power_, live_;
   std::vector<Device> states_;
   std::set<Device> named_;

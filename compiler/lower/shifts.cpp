@@ -52,7 +52,8 @@ Words shift_right(Context& context, const Words& value, int n) {
 
 Device bit_of(Context& context, const Words& value, int n) {
   const Device bit = context.temporary_bit();
-  context.always(Core::Tb, {bit}, {value[static_cast<std::size_t>(n / 16)], constant(n % 16)});
+  const Words source = in_words(context, {value[static_cast<std::size_t>(n / 16)]});
+  context.always(Core::Tb, {bit}, {source[0], constant(n % 16)});
   return bit;
 }
 
@@ -109,9 +110,13 @@ void turn(Context& context, bool left, bool through) {
   const int bits = source.width;
   const int ring = through ? bits + 1 : bits;
   const int given = source.operand(1).value;
-  if (given == 0) return;
-  const int by = given % ring;
   Requirements requirements;
+  if (given == 0) {
+    // Nothing moves, but an index outside of its window is still an error.
+    place(context, source.operand(0), bits / 16, requirements.valid);
+    return Execution(context, requirements).end();
+  }
+  const int by = given % ring;
   const Words value = read(context, source.operand(0), requirements.valid);
   const std::vector<Device> relays = context.named_of_role(SpecialRole::Carry);
   const int up = left ? by : (ring - by) % ring;  // to the left, 0 for a whole turn

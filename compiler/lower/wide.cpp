@@ -36,6 +36,17 @@ Words read(Context& context, const Operand& operand, std::vector<Device>& valid)
   return {pair.low, pair.high};
 }
 
+Words in_words(Context& context, const Words& value) {
+  Words words = value;
+  for (WordSource& each : words) {
+    if (!each.constant) continue;
+    const Device device = context.temporary_word();
+    context.always(core::Op::Mov, {device}, {each});
+    each = word(device);
+  }
+  return words;
+}
+
 WordSource combine(Context& context, core::Op op, const WordSource& a, const WordSource& b) {
   if (a.constant && b.constant) {
     return constant(

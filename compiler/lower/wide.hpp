@@ -13,6 +13,9 @@ using Words = std::vector<WordSource>;
 // The operand as words of the current instruction's width.
 Words read(Context& context, const Operand& operand, std::vector<Device>& valid);
 
+// The value with each constant in a word of its own: a core operation takes one constant at most.
+Words in_words(Context& context, const Words& value);
+
 // A hidden word <- a op b, whatever the result; two constants are worked out here.
 WordSource combine(Context& context, core::Op op, const WordSource& a, const WordSource& b);
 // The same word by word, for Wand, Wor and Wxor.

@@ -73,6 +73,9 @@ Json parse_line(std::string_view line) {
     json = Json::parse(line);
   } catch (const Json::parse_error& failure) {
     throw BadLine(fmt::format("not JSON at its character {}", failure.byte));
+  } catch (const Json::out_of_range&) {
+    // 1e999: the parser's other fault.
+    throw BadLine("a number that nothing can hold");
   }
   if (!json.is_object()) throw BadLine("not a JSON object");
   return json;

@@ -130,8 +130,7 @@ module alu (
                             ({BITS{x_logic_q[1]}} & x_s1_i & ~x_s2_i) |
                             ({BITS{x_logic_q[2]}} & ~x_s1_i & x_s2_i);
 
-  // TB wants bit n of s1: it stands at the top when s1 is rotated by 15 - n.
-  wire [3:0] x_by = x_s2_i[3:0] ^ {4{x_bit_q}};
+  wire [3:0] x_by = x_s2_i[3:0];
   wire [BITS-1:0] x_by_1 = x_by[0] ? {x_s1_i[BITS-2:0], x_s1_i[BITS-1]} : x_s1_i;
   wire [BITS-1:0] x_by_3 = x_by[1] ? {x_by_1[BITS-3:0], x_by_1[BITS-1-:2]} : x_by_1;
   wire [BITS-1:0] x_by_7 = x_by[2] ? {x_by_3[BITS-5:0], x_by_3[BITS-1-:4]} : x_by_3;
@@ -149,7 +148,7 @@ module alu (
   assign x_bank_o = (x_early ^ x_cross_i) ^ x_late;
   assign x_sum_o = x_sum[BITS-1:0];
   assign x_test_o = (x_less_q && x_less) || (x_equal_q && x_s1_i == x_s2_i) ||
-                    (x_bit_q && x_rotated[BITS-1]);
+                    (x_bit_q && x_s1_i[x_by]);
 
 endmodule
 

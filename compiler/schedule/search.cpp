@@ -18,6 +18,9 @@ using mapping::Mapping;
 using mapping::OpId;
 using mapping::Unit;
 
+// What all tries together may place.
+constexpr int kOperationsTried = 400'000;
+
 // One slot's time line.
 struct Lane {
   std::vector<OpId> cells;
@@ -334,7 +337,10 @@ Schedule search(const Problem& problem, const SearchOptions& options) {
   std::mt19937_64 random(options.seed);
   Schedule best;
   std::optional<std::pair<std::int64_t, std::int64_t>> best_cost;
-  for (int attempt = 0; attempt < options.tries; ++attempt) {
+  // A long program gets fewer tries, so that its compilation stays a matter of a second or two.
+  const auto operations = static_cast<int>(problem.mapping->ops.size());
+  const int tries = std::min(options.tries, std::max(4, kOperationsTried / (operations + 1)));
+  for (int attempt = 0; attempt < tries; ++attempt) {
     // First by the longest chain alone, then with growing noise; ties in the order of the program.
     std::vector<std::int64_t> priority(units);
     const auto noise = static_cast<std::uint64_t>(attempt) * 2;

@@ -25,7 +25,7 @@ TEST(RandomProgram, IsTheSameEverywhere) {
   EXPECT_EQ(fnv1a(random_program(7, options)), 13084831490316153833U);
 }
 
-TEST(RandomProgram, IsValidAndHasEveryInstruction) {
+TEST(RandomProgram, IsValidAndHasEveryBasicInstruction) {
   for (const Dialect dialect : {Dialect::Paper, Dialect::Fx, Dialect::Q}) {
     RandomProgramOptions options;
     options.dialect = dialect;
@@ -39,8 +39,10 @@ TEST(RandomProgram, IsValidAndHasEveryInstruction) {
       for (const Instruction& instruction : result.program->instructions) ++seen[instruction.op];
     }
     EXPECT_EQ(networks, 100 * options.networks);
-    for (int op = 0; op <= static_cast<int>(Op::Div); ++op) {
-      EXPECT_GT(seen[static_cast<Op>(op)], 20) << op;
+    for (const Op op : {Op::Nop, Op::Ld,  Op::Ldi, Op::And, Op::Ani, Op::Or,  Op::Ori,
+                        Op::Anb, Op::Orb, Op::Mps, Op::Mrd, Op::Mpp, Op::Out, Op::Set,
+                        Op::Rst, Op::Mov, Op::Add, Op::Sub, Op::Mul, Op::Div}) {
+      EXPECT_GT(seen[op], 20) << static_cast<int>(op);
     }
   }
 }

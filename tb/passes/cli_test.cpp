@@ -159,8 +159,9 @@ TEST_F(Cli, WrongInputIsRefusedAndLeavesNothing) {
       {"large.il", large + "END\n", ":1:1: error: the program needs"},
       {"image.img", "RUNGIMG\x01 damaged", ":1:1: error:"},
       {"ladder.ld", "LDmicro0.1\n", ":1:1: error: .ld"},
-      {"export.csv", "\"0\"\t\"\"\t\"LD\"\n", ":1:1: error: .csv"},
-      {"timer.il", "LD X0\nOUT T0 K10\nEND\n", ":2:"},
+      {"export.csv", "\"0\"\t\"\"\t\"LD\"\n", ":1:"},
+      {"timer.il", "LD X0\nOUT T0 K0\nEND\n", ":2:"},
+      {"jump.il", "P1\nLD X0\nOUT Y0\nLD X1\nCJ P1\nEND\n", ":5:"},
   };
   for (const Case& one : cases) {
     const std::string program = file(one.name, one.text);

@@ -28,9 +28,15 @@ TEST(Isa, EveryInstructionReadsBackFromItsBits) {
           if (mpu != isa::Mpu::Mpu1) {
             instruction.b = {1, false};
             instruction.c = {static_cast<std::uint16_t>(config.bit_devices / 2), true};
-            if (info.gate == isa::Gate::None) instruction.row = 127;
           }
-          instruction.always = info.gate == isa::Gate::Exc;
+          // A flag stands where a look-up has its row.
+          instruction.always = info.gate == isa::Gate::Exc || info.opcode == isa::Opcode::Get;
+          if (mpu != isa::Mpu::Mpu1 && !instruction.always) instruction.row = 127;
+        } else if (info.format == isa::Format::Test) {
+          auto& target = mpu == isa::Mpu::Mpu1 ? instruction.a : instruction.c;
+          target.device = static_cast<std::uint16_t>(config.bit_devices - 1);
+          instruction.source = 0x8001;
+          instruction.kind = isa::WordKind::DeviceConstant;
         } else if (info.format == isa::Format::Word) {
           instruction.rd = static_cast<std::uint16_t>(config.word_devices - 1);
           instruction.rs = 1;

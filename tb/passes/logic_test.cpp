@@ -7,8 +7,8 @@ namespace rung::logic {
 namespace {
 
 std::string dump_of(const std::string& text) {
-  const Program program = parse(text);
-  return dump(build(program), program);
+  const core::Program program = lowered(text);
+  return dump(build(program), program, Dialect::Fx);
 }
 
 TEST(Logic, ContactsAndBlocksBecomeNodes) {
@@ -30,7 +30,7 @@ TEST(Logic, BranchesShareTheirNode) {
 }
 
 TEST(Logic, CurrentAndOverwritten) {
-  const Program program = parse("LD X0\nOUT M0\nOUT Y0\nSET M0\nEND\n");
+  const core::Program program = lowered("LD X0\nOUT M0\nOUT Y0\nSET M0\nEND\n");
   const Logic logic = build(program);
   const Device m0{DeviceKind::M, 0};
   EXPECT_EQ(logic.current(m0, 0), kStart);

@@ -36,13 +36,13 @@ TEST(Mapping, LookupsOfTypicalRungs) {
       {"LD X0\nMUL K300 K300 D2\n", 1, 3},  // two constants: two MV
   };
   for (const Case& one : cases) {
-    const Program program = parse(std::string(one.text) + "END\n");
+    const core::Program program = lowered(std::string(one.text) + "END\n");
     const logic::Logic logic = logic::build(program);
     const Mapping mapping = map_logic(logic, program, {});
     EXPECT_EQ(verify(mapping, logic, program), "") << one.text;
-    EXPECT_EQ(lookups(mapping), one.lookups) << one.text << dump(mapping, program);
+    EXPECT_EQ(lookups(mapping), one.lookups) << one.text << dump(mapping, Dialect::Fx);
     EXPECT_EQ(mapping.ops.size(), static_cast<std::size_t>(one.operations))
-        << one.text << dump(mapping, program);
+        << one.text << dump(mapping, Dialect::Fx);
   }
 }
 
@@ -62,7 +62,7 @@ TEST(Mapping, EveryRungOfFourContacts) {
       text += kOps[next(4)];
       text += " X" + std::to_string(next(3)) + "\n";
     }
-    const Program program = parse(text + "OUT Y0\nEND\n");
+    const core::Program program = lowered(text + "OUT Y0\nEND\n");
     const logic::Logic logic = logic::build(program);
     const Mapping mapping = map_logic(logic, program, {});
     ASSERT_EQ(verify(mapping, logic, program), "") << text;
@@ -83,7 +83,7 @@ TEST(Mapping, FormulaOfTheRun) {
 }
 
 TEST(Mapping, BoundOfARung) {
-  const Program program = parse(
+  const core::Program program = lowered(
       "LD X0\nAND X1\nAND X2\nLD X3\nORB\nAND X4\nAND X5\nOUT Y0\nAND X6\nAND X7\nAND X10\n"
       "OUT Y1\nEND\n");
   // 1 + 1, one for ORB, [X4 X5] has its place behind the block: 1, [N0 X6 X7 X10]: 2
@@ -92,8 +92,8 @@ TEST(Mapping, BoundOfARung) {
 
 // The check finds every kind of fault that a mapping could have.
 TEST(Mapping, VerifyFindsInjectedFaults) {
-  const Program program =
-      parse("LD X0\nOR X1\nANI X2\nAND X3\nOUT M0\nAND X4\nSET M1\nLD M0\nMOV K1 D0\nEND\n");
+  const core::Program program =
+      lowered("LD X0\nOR X1\nANI X2\nAND X3\nOUT M0\nAND X4\nSET M1\nLD M0\nMOV K1 D0\nEND\n");
   const logic::Logic logic = logic::build(program);
   const Mapping good = map_logic(logic, program, {});
   ASSERT_EQ(verify(good, logic, program), "");
@@ -127,7 +127,7 @@ TEST(Mapping, VerifyFindsInjectedFaults) {
 }
 
 TEST(Mapping, VerifyFindsMoreLookupsThanTheFormula) {
-  const Program program = parse("LD X0\nOUT Y0\nEND\n");
+  const core::Program program = lowered("LD X0\nOUT Y0\nEND\n");
   const logic::Logic logic = logic::build(program);
   Mapping mapping = map_logic(logic, program, {});
   MappedOp extra = mapping.ops[0];

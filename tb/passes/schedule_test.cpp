@@ -10,14 +10,14 @@ namespace rung::schedule {
 namespace {
 
 struct Scheduled {
-  Program program;
+  core::Program program;
   logic::Logic logic;
   mapping::Mapping mapping;
   Problem problem;
   Schedule schedule;
   Temporaries temporaries;
 
-  explicit Scheduled(const std::string& text, int slots = 2) : program(parse(text)) {
+  explicit Scheduled(const std::string& text, int slots = 2) : program(lowered(text)) {
     logic = logic::build(program);
     mapping = mapping::map_logic(logic, program, {});
     problem = make_problem(mapping, ecp5(), slots);

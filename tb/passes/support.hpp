@@ -8,6 +8,7 @@
 #include <string>
 
 #include "driver/compile.hpp"
+#include "lower/lower.hpp"
 #include "melsec/list.hpp"
 
 namespace rung {
@@ -22,6 +23,11 @@ inline Program parse(const std::string& text, Dialect dialect = Dialect::Fx) {
   std::ostringstream errors;
   diagnostics.print(errors);
   throw std::runtime_error(errors.str() + text);
+}
+
+// The same, lowered.
+inline core::Program lowered(const std::string& text, Dialect dialect = Dialect::Fx) {
+  return lower::lower(parse(text, dialect));
 }
 
 inline const isa::Config& ecp5() { return *isa::find_config("ecp5"); }

@@ -42,6 +42,8 @@ define cmake_build
 	@test -f $(1)/build.ninja || { echo "configuring $(1)"; \
 	  $(CMAKE) -G Ninja -S compiler -B $(1) $(2) >build/logs/$(notdir $(1))-configure.log 2>&1 || \
 	  { tail -n 30 build/logs/$(notdir $(1))-configure.log; exit 1; }; }
+	@# Verilator reads the generated header before CMake has a chance to renew it.
+	@$(PYTHON) scripts/gen_isa.py $(1)/gen
 	@echo "building $(1) (log: build/logs/$(notdir $(1))-build.log)"
 	@NINJA_STATUS='[%f/%t] ' $(CMAKE) --build $(1) -j $(JOBS) $(3) 2>&1 | \
 	  tee build/logs/$(notdir $(1))-build.log | scripts/progress.sh

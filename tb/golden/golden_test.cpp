@@ -8,7 +8,7 @@
 
 #include "driver/compile.hpp"
 #include "lockstep/machine.hpp"
-#include "melsec/list.hpp"
+#include "melsec/melsec.hpp"
 #include "melsec/paper.hpp"
 #include "reference/run.hpp"
 #include "trace/compare.hpp"
@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 std::vector<std::string> names() {
   std::vector<std::string> found;
   for (const auto& entry : fs::directory_iterator(RUNG_GOLDEN_PROGRAMS)) {
-    if (entry.path().extension() == ".il") found.push_back(entry.path().stem().string());
+    if (entry.path().extension() == ".golden") found.push_back(entry.path().stem().string());
   }
   std::sort(found.begin(), found.end());
   return found;
@@ -37,12 +37,14 @@ class Golden : public testing::TestWithParam<std::string> {
     auto golden = read_trace(*bytes, GetParam(), diagnostics);
     ASSERT_TRUE(golden);
     golden_ = std::move(*golden);
-    for (const Dialect dialect : {Dialect::Paper, Dialect::Fx, Dialect::Q}) {
-      if (dialect_name(dialect) == golden_.header.dialect) dialect_ = dialect;
+    dialect_ = find_dialect(golden_.header.dialect).value_or(Dialect::Fx);
+    // The program stands beside it, as a list or as an export.
+    for (const char* suffix : {".il", ".csv"}) {
+      if (fs::exists(path.string() + suffix)) source_ = path.string() + suffix;
     }
-    const auto source = read_text(path.string() + ".il", diagnostics);
+    const auto source = read_text(source_, diagnostics);
     ASSERT_TRUE(source);
-    auto program = parse_list(*source, dialect_, diagnostics);
+    auto program = parse_melsec(*source, dialect_, diagnostics);
     ASSERT_TRUE(program);
     program_ = std::move(*program);
     auto stimulus = stimulus_of(golden_, dialect_, GetParam(), diagnostics);
@@ -53,8 +55,7 @@ class Golden : public testing::TestWithParam<std::string> {
   void run(isa::Mpu mpu, bool paper, const isa::Config& config) {
     SCOPED_TRACE(testing::Message()
                  << "MPU" << static_cast<int>(mpu) << (paper ? " --paper " : " ") << config.name
-                 << "; replay: build/bin/rung check tb/golden/programs/" << GetParam()
-                 << ".il --golden tb/golden/programs/" << GetParam() << ".golden --mpu "
+                 << "; replay: build/bin/rung check " << source_ << " --golden tb/golden/programs/" << GetParam() << ".golden --mpu "
                  << static_cast<int>(mpu) << " --config " << config.name
                  << (paper ? " --paper" : ""));
     CompileOptions options;
@@ -65,11 +66,11 @@ class Golden : public testing::TestWithParam<std::string> {
     const auto compiled = compile(program_, options, diagnostics);
     if (!compiled) {
       // Only what the configuration is too small for.
-      EXPECT_GT(program_.instructions.size(), 100U);
+      EXPECT_GT(program_.instructions.size(), 40U);
       return;
     }
     const auto processor = make_processor(mpu, config);
-    Machine machine(compiled->image, *processor);
+    Machine machine(compiled->image, *processor, golden_.header.tick_us);
     MachineRun engine(machine, true);
     TraceComparison comparison(false);
     for (std::size_t k = 0; k < golden_.scans.size(); ++k) {
@@ -82,6 +83,7 @@ class Golden : public testing::TestWithParam<std::string> {
   }
 
   Dialect dialect_ = Dialect::Fx;
+  std::string source_;
   Trace golden_;
   Program program_;
   Stimulus stimulus_;
@@ -89,7 +91,7 @@ class Golden : public testing::TestWithParam<std::string> {
 };
 
 TEST_P(Golden, Reference) {
-  ReferenceRun engine(program_, true);
+  ReferenceRun engine(program_, true, golden_.header.tick_us);
   TraceComparison comparison(false);
   for (std::size_t k = 0; k < golden_.scans.size(); ++k) {
     const auto difference = comparison.next(golden_.scans[k], engine.scan(stimulus_.events(k)));

@@ -42,7 +42,9 @@ CLI::App* add_command(CLI::App& app, Options& options, Command which, const char
 void define_compile(CLI::App& app, Options& options) {
   CLI::App* command =
       add_command(app, options, Command::Compile, "compile", "compile a program for a processor");
-  command->add_option("PROGRAM", options.program, "instruction list or CSV export; - is standard input")
+  command
+      ->add_option("PROGRAM", options.program,
+                   "instruction list or CSV export; - is standard input")
       ->required();
   define_common(*command, options);
   define_mpu(*command, options, false);
@@ -61,7 +63,8 @@ void define_compile(CLI::App& app, Options& options) {
 
 void define_run(CLI::App& app, Options& options) {
   CLI::App* command = add_command(app, options, Command::Run, "run", "run a program or an image");
-  command->add_option("PROGRAM", options.program, "instruction list, CSV export or image")->required();
+  command->add_option("PROGRAM", options.program, "instruction list, CSV export or image")
+      ->required();
   define_common(*command, options);
   define_mpu(*command, options, true);
   command->add_flag("--paper", options.paper, "compile with the paper's instruction forms only");
@@ -76,7 +79,8 @@ void define_run(CLI::App& app, Options& options) {
 void define_check(CLI::App& app, Options& options) {
   CLI::App* command =
       add_command(app, options, Command::Check, "check", "run and compare with a golden trace");
-  command->add_option("PROGRAM", options.program, "instruction list, CSV export or image")->required();
+  command->add_option("PROGRAM", options.program, "instruction list, CSV export or image")
+      ->required();
   define_common(*command, options);
   define_mpu(*command, options, true);
   command->add_flag("--paper", options.paper, "compile with the paper's instruction forms only");

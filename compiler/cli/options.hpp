@@ -26,7 +26,7 @@ struct Options {
   std::string dialect;  // empty: the program decides
   std::string config = "ecp5";
   std::string comments;  // a file with the names of devices
-  std::string mpu;  // empty: MPU3, or the image's
+  std::string mpu;       // empty: MPU3, or the image's
   bool paper = false;
   // compile
   std::string output;

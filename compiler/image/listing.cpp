@@ -153,6 +153,9 @@ std::string listing(const Image& image) {
   std::string out =
       fmt::format("; {}: MPU{}, configuration {}, {} steps, {} clocks a scan\n", image.program,
                   static_cast<int>(image.mpu), image.config, image.steps.size(), image.clocks);
+  for (const ImageDevice& device : image.devices) {
+    if (!device.comment.empty()) out += fmt::format("; {}: {}\n", device.name, device.comment);
+  }
   for (std::size_t step = 0; step < image.steps.size(); ++step) {
     for (std::size_t slot = 0; slot < image.steps[step].size(); ++slot) {
       const SlotInstruction& instruction = image.steps[step][slot];

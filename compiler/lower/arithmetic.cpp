@@ -245,8 +245,8 @@ void multiply_or_divide(Context& context) {
   const bool direct = !targets.empty();
   std::optional<Device> fault;
   if (divide && (!errors.empty() || !direct) && !all_constant(b, b)) fault = is_zero(context, b);
-  const Core op = wide(context) ? (divide ? Core::Div32 : Core::Mul32)
-                                : (divide ? Core::Div : Core::Mul);
+  const Core op =
+      wide(context) ? (divide ? Core::Div32 : Core::Mul32) : (divide ? Core::Div : Core::Mul);
   if (!direct) targets = temporaries(context, count);
   Execution execution(context, requirements);
   context.emit(operation(op, targets, a, b));

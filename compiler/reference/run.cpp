@@ -11,7 +11,12 @@ ReferenceRun::ReferenceRun(const Program& program, bool with_state, std::int64_t
 }
 
 TraceHeader ReferenceRun::header() const {
-  return {program_.file, std::string(dialect_name(program_.dialect)), tick_us_, 0};
+  TraceHeader header{program_.file, std::string(dialect_name(program_.dialect)), tick_us_, 0};
+  for (const NamedDevice& each : devices_) {
+    const auto comment = program_.comments.find(each.device);
+    if (comment != program_.comments.end()) header.comments[each.name] = comment->second;
+  }
+  return header;
 }
 
 TraceScan ReferenceRun::scan(std::span<const StimulusEvent> events) {

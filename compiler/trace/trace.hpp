@@ -2,12 +2,14 @@
 // A golden sequence trace: what a controller read, wrote and put out in each scan, as JSON Lines.
 //
 // The first line is the header, {"rung_trace":1,"program":...,"dialect":...,"tick_ms":...,
-// "mpu":...}; each other line is one scan, {"scan":...,"clocks":...,"in":{...},"writes":[...],
-// "out":{...}}, with "state":{...} and "tx":[...] where they are known. Devices stand by their
-// names, so that a trace can be read without the program.
+// "mpu":...}, with "comments":{"X0":"start"} where devices have names; each other line is one scan,
+// {"scan":...,"clocks":...,"in":{...},"writes":[...], "out":{...}}, with "state":{...} and
+// "tx":[...] where they are known. Devices stand by their names, so that a trace can be read
+// without the program.
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -22,6 +24,8 @@ struct TraceHeader {
   std::string dialect;
   std::int64_t tick_us = 10000;  // written in milliseconds
   int mpu = 0;                   // 0: the reference
+  // What a comment file calls the devices that the program names; for people, and not compared.
+  std::map<std::string, std::string> comments = {};
   bool operator==(const TraceHeader&) const = default;
 };
 

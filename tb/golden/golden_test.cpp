@@ -55,9 +55,9 @@ class Golden : public testing::TestWithParam<std::string> {
   void run(isa::Mpu mpu, bool paper, const isa::Config& config) {
     SCOPED_TRACE(testing::Message()
                  << "MPU" << static_cast<int>(mpu) << (paper ? " --paper " : " ") << config.name
-                 << "; replay: build/bin/rung check " << source_ << " --golden tb/golden/programs/" << GetParam() << ".golden --mpu "
-                 << static_cast<int>(mpu) << " --config " << config.name
-                 << (paper ? " --paper" : ""));
+                 << "; replay: build/bin/rung check " << source_ << " --golden tb/golden/programs/"
+                 << GetParam() << ".golden --mpu " << static_cast<int>(mpu) << " --config "
+                 << config.name << (paper ? " --paper" : ""));
     CompileOptions options;
     options.mpu = mpu;
     options.paper = paper;

@@ -64,7 +64,10 @@ std::string Lockstep::source_of(std::size_t instruction) const {
 std::optional<Difference> Lockstep::compare_write(const ReferenceWrite* expected,
                                                   const MachineWrite* got) {
   const auto show = [&](Device device, std::int16_t value) {
-    return fmt::format("{} = {}", device_name(device, program_.dialect), value);
+    const auto comment = program_.comments.find(device);
+    return fmt::format("{}{} = {}", device_name(device, program_.dialect),
+                       comment == program_.comments.end() ? "" : " (" + comment->second + ")",
+                       value);
   };
   if (expected != nullptr && got != nullptr && devices_[got->device] == expected->device &&
       got->value == expected->value) {

@@ -61,7 +61,7 @@ class Lockstep {
   const Program& program_;
   Machine& machine_;
   Reference reference_;
-  std::vector<Device> devices_;  // of Image::devices
+  std::vector<Device> devices_;               // of Image::devices
   std::vector<std::int16_t> expected_, got_;  // their values
   ScanResult result_;
   std::int64_t scan_ = -1;

@@ -5,7 +5,6 @@
 
 #include <stdexcept>
 
-
 namespace rung::tb {
 namespace {
 
@@ -142,7 +141,11 @@ MachineRun::MachineRun(Machine& machine, bool with_state)
 
 TraceHeader MachineRun::header() const {
   const image::Image& image = machine_.image();
-  return {image.program, image.dialect, machine_.tick_us(), static_cast<int>(image.mpu)};
+  TraceHeader header{image.program, image.dialect, machine_.tick_us(), static_cast<int>(image.mpu)};
+  for (const image::ImageDevice& device : image.devices) {
+    if (!device.comment.empty()) header.comments[device.name] = device.comment;
+  }
+  return header;
 }
 
 TraceScan MachineRun::scan(std::span<const StimulusEvent> events) {

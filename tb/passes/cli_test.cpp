@@ -160,7 +160,7 @@ TEST_F(Cli, WrongInputIsRefusedAndLeavesNothing) {
       {"image.img", "RUNGIMG\x01 damaged", ":1:1: error:"},
       {"ladder.ld", "LDmicro0.1\n", ":1:1: error: .ld"},
       {"export.csv", "\"0\"\t\"\"\t\"LD\"\n", ":1:"},
-      {"timer.il", "LD X0\nOUT T0 K0\nEND\n", ":2:"},
+      {"timer.il", "LD X0\nOUT T0 K40000\nEND\n", ":2:"},
       {"jump.il", "P1\nLD X0\nOUT Y0\nLD X1\nCJ P1\nEND\n", ":5:"},
   };
   for (const Case& one : cases) {
@@ -179,6 +179,43 @@ TEST_F(Cli, WrongInputIsRefusedAndLeavesNothing) {
       EXPECT_EQ(rung("translate " + program + " --to c -o " + path("out.c")).code, 1) << one.name;
     }
     EXPECT_EQ(files(), before) << one.name << " left a file behind";
+  }
+}
+
+TEST_F(Cli, CommentsNameDevicesInTracesAndListings) {
+  const std::string program = file("door.il", "LD X0\nOUT Y0\nEND\n");
+  const std::string names =
+      file("names.csv", "\"COMMENT\"\n\"Device Name\"\t\"Comment\"\n\"X0\"\t\"gate open\"\n");
+  const std::string options = program + " --comments " + names;
+  for (const char* mpu : {"2", "reference"}) {
+    const Result r = rung("run " + options + " --mpu " + mpu + " --trace -");
+    EXPECT_EQ(r.code, 0) << r.err;
+    EXPECT_NE(r.out.find("\"comments\":{\"X0\":\"gate open\"}"), std::string::npos) << r.out;
+  }
+  EXPECT_NE(rung("compile " + options + " --listing").out.find("; X0: gate open\n"),
+            std::string::npos);
+  const std::string bad =
+      file("bad.csv", "\"COMMENT\"\n\"Device Name\"\t\"Comment\"\n\"Q0\"\t\"x\"\n");
+  const Result r = rung("run " + program + " --comments " + bad);
+  EXPECT_EQ(r.code, 1);
+  EXPECT_NE(r.err.find(bad + ":1:1: error:"), std::string::npos) << r.err;
+}
+
+// The contact goes on in the first scan whose ticks since the coil's reach the preset.
+TEST_F(Cli, TheTickIsTheTimeFromScanToScan) {
+  const std::string program = file("timer.il", "LD X0\nOUT T0 K2\nLD T0\nOUT Y0\nEND\n");
+  const std::string stimulus = file("timer.stim", "X0=1\n*9\n");
+  const std::pair<const char*, const char*> cases[] = {
+      {"100", "\"scan\":2,"}, {"50", "\"scan\":4,"}, {"70.5", "\"scan\":3,"}};
+  for (const auto& [tick, scan] : cases) {
+    for (const char* mpu : {"1", "2", "3", "reference"}) {
+      const Result r = rung("run " + program + " --stimulus " + stimulus + " --tick " + tick +
+                            " --mpu " + mpu + " --trace -");
+      const std::size_t on = r.out.find("\"out\":{\"Y0\":1}");
+      ASSERT_NE(on, std::string::npos) << r.out << r.err;
+      const std::size_t line = r.out.rfind('\n', on);
+      EXPECT_EQ(r.out.substr(line + 2, std::string(scan).size()), scan) << tick << " MPU" << mpu;
+    }
   }
 }
 

@@ -92,8 +92,7 @@ struct Instruction {
   std::vector<Device>
       reads;    // bits of Gather, the lowest first; the window of LoadWord and LoadBit
   Device head;  // indexed: the device that index 0 means
-  // Runs whatever the result is. Only what writes hidden devices is: the memory of an edge may not
-  // change where its instruction is skipped.
+  // Runs whatever the result is.
   bool always = false;
   // Writing the value that is there already is no write (INTERFACES.md, writes of lowered
   // instructions).

@@ -58,16 +58,23 @@ core::Instruction Context::make(core::Op op) const {
 
 void Context::emit(core::Instruction instruction) {
   instruction.origin = index_;
+  const bool can_be_always = core::is_output(instruction.op) && instruction.op != core::Op::Out;
+  if (surely_on_ && can_be_always) instruction.always = true;
   out_.instructions.push_back(std::move(instruction));
 }
 
 void Context::contact(core::Op op, Device bit) {
+  const SpecialRange* special = find_special(bit, dialect());
+  surely_on_ = op == core::Op::Ld && special != nullptr && special->role == SpecialRole::On;
   core::Instruction instruction = make(op);
   instruction.targets = {bit};
   emit(std::move(instruction));
 }
 
-void Context::block(core::Op op) { emit(make(op)); }
+void Context::block(core::Op op) {
+  surely_on_ = false;
+  emit(make(op));
+}
 
 void Context::coil(core::Op op, Device bit, bool quiet) {
   core::Instruction instruction = make(op);

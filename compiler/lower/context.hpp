@@ -106,6 +106,9 @@ class Context {
   const Program& program_;
   core::Program out_;
   std::size_t index_ = 0;
+  // The result is that of LD on a relay that is always on (M8000): what runs under it needs no
+  // condition.
+  bool surely_on_ = false;
   std::vector<std::size_t> begins_;  // of the networks that are open, by their first instruction
   std::optional<Device> power_, live_;
   std::vector<Device> states_;

@@ -70,6 +70,14 @@ TEST(Lower, FlagsThatNobodyNamesAreNotComputed) {
             std::string::npos);
 }
 
+// LD M8000 stays for MPU1 and for what follows; a slot needs no look-up for it.
+TEST(Lower, WhatIsAlwaysOnIsNoCondition) {
+  EXPECT_EQ(core_of("LD M8000\nMOV D0 D1\nAND X0\nMOV D2 D3\n"),
+            "LD M8000\nMOV D0 -> D1 (always)\nAND X0\nMOV D2 -> D3\n");
+  const Program program = parse("LD M8000\nMOV D0 D1\nADD D1 K1 D2\nSET M0\nEND\n");
+  EXPECT_EQ(compile_for(program, isa::Mpu::Mpu2).image.steps.size(), 3U);
+}
+
 TEST(Lower, AWindowIsReadAndWrittenAsAWhole) {
   const core::Program program = lowered("LD X0\nMOV D10Z0 D5\nMOV K1 D12Z0\nEND\n");
   ASSERT_EQ(program.windows.size(), 1U);

@@ -5,6 +5,8 @@ A template is a rung whose {n}, {o}, {a} ... stand for numbers of its own (see c
 """
 from __future__ import annotations
 
+import random
+
 COPIES = 16
 FEW_COPIES = 4  # of what takes hundreds of steps
 
@@ -23,9 +25,10 @@ def copies(template: str, count: int) -> str:
 COIL = "LD M{n}\nOUT Y{o}"
 NOTHING = "LD M{n}\nOUT Y{o}\nLD M{n}\nOUT M1{n:02}"
 
+TIMER = "timer: OUT T K, 100 ms"
 COSTS = [
     ("contact and coil: LD M, OUT Y", COIL + "\nLD M{n}\nOUT M1{n:02}", COIL),
-    ("timer: OUT T K, 100 ms", "LD M{n}\nOUT T{n} K50", COIL),
+    (TIMER, "LD M{n}\nOUT T{n} K50", COIL),
     ("counter: OUT C K, with its RST", "LD M{n}\nOUT C{n} K50\nLD M1{n:02}\nRST C{n}",
      NOTHING),
     ("32-bit up/down counter: OUT C200 K, with its RST",
@@ -77,3 +80,40 @@ WITHOUT = [
     ("indexed read, any of 128 words", "LD M8000\nMOV D200Z0 D{b}", ""),
     ("the same as 16 compares (of 16 words)", _SELECT[len("LD M8000\n"):], ""),
 ]
+
+
+def large_program(instructions: int, seed: int) -> str:
+    """A list of so many instructions, mixed as in real programs: mostly contacts and coils."""
+    chance = random.Random(seed)
+
+    def bit() -> str:
+        kind = chance.random()
+        if kind < 0.25:
+            return f"X{chance.randrange(128):o}"
+        return f"M{chance.randrange(1000)}" if kind < 0.9 else f"T{chance.randrange(60)}"
+
+    def word() -> str:
+        return f"D{2 * chance.randrange(200)}"
+
+    outputs = [
+        (70, lambda: f"OUT M{chance.randrange(1000)}"),
+        (6, lambda: f"OUT T{chance.randrange(60)} K{chance.randrange(1, 200)}"),
+        (6, lambda: f"MOV {word()} {word()}"),
+        (6, lambda: f"ADD {word()} K{chance.randrange(100)} {word()}"),
+        (2, lambda: f"SET M{chance.randrange(1000)}"),
+        (2, lambda: f"RST M{chance.randrange(1000)}"),
+        (2, lambda: f"INCP {word()}"),
+        (2, lambda: f"PLS M{chance.randrange(1000)}"),
+        (1, lambda: f"MOV K4M{chance.randrange(980)} {word()}"),
+        (1, lambda: f"DADD {word()} {word()} {word()}"),
+        (1, lambda: f"DIV {word()} {word()} {word()}"),
+        (1, lambda: f"OUT Y{chance.randrange(64):o}"),
+    ]
+    lines: list[str] = []
+    while len(lines) < instructions:
+        room = instructions - len(lines) - 2
+        lines.append(chance.choice(["LD ", "LD ", "LDI "]) + bit())
+        for _ in range(min(room, chance.choice([0, 0, 1, 1, 2, 2, 3, 4]))):
+            lines.append(chance.choice(["AND ", "ANI ", "OR ", "ORI "]) + bit())
+        lines.append(chance.choices([o for _, o in outputs], [w for w, _ in outputs])[0]())
+    return "\n".join([*lines, "END"]) + "\n"

@@ -81,17 +81,8 @@ Device bit_15(Context& context, const WordSource& source) {
   return bit;
 }
 
-// flag <- value, under the current result.
 void set_flags(Context& context, const std::vector<Device>& flags, Device value) {
-  for (const Device flag : flags) {
-    context.block(Core::Mps);
-    context.contact(Core::And, value);
-    context.coil(Core::Set, flag, true);
-    context.block(Core::Mrd);
-    context.contact(Core::Ani, value);
-    context.coil(Core::Rst, flag, true);
-    context.block(Core::Mpp);
-  }
+  for (const Device flag : flags) copy_bit(context, flag, value, true);
 }
 
 Device is_zero(Context& context, const Words& given) {

@@ -128,17 +128,6 @@ void pulse_coil(Context& context, bool rising) {
   remember(context, memory);
 }
 
-// bit <- value, under the current result: an exclusive choice of SET and RST.
-void copy_bit(Context& context, Device bit, Device value) {
-  context.block(Core::Mps);
-  context.contact(Core::And, value);
-  context.coil(Core::Set, bit);
-  context.block(Core::Mrd);
-  context.contact(Core::Ani, value);
-  context.coil(Core::Rst, bit);
-  context.block(Core::Mpp);
-}
-
 void alternate(Context& context) {
   const Device bit = context.source().operand(0).device;
   const Device before = context.temporary_bit();

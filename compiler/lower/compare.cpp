@@ -55,14 +55,7 @@ void equal(Context& context, Device bit, const WordSource& a, const WordSource& 
 // Copies hidden bits to three that follow each other, under the current result.
 void copy_bits(Context& context, Device first, const std::vector<Device>& values) {
   for (std::size_t i = 0; i < values.size(); ++i) {
-    const Device target{first.kind, first.number + static_cast<std::uint32_t>(i)};
-    context.block(Core::Mps);
-    context.contact(Core::And, values[i]);
-    context.coil(Core::Set, target);
-    context.block(Core::Mrd);
-    context.contact(Core::Ani, values[i]);
-    context.coil(Core::Rst, target);
-    context.block(Core::Mpp);
+    copy_bit(context, {first.kind, first.number + static_cast<std::uint32_t>(i)}, values[i]);
   }
 }
 

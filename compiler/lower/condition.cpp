@@ -38,6 +38,16 @@ void Execution::end() {
 
 void remember(Context& context, Device memory) { context.drive(memory); }
 
+void copy_bit(Context& context, Device bit, Device value, bool quiet) {
+  context.block(Op::Mps);
+  context.contact(Op::And, value);
+  context.coil(Op::Set, bit, quiet);
+  context.block(Op::Mrd);
+  context.contact(Op::Ani, value);
+  context.coil(Op::Rst, bit, quiet);
+  context.block(Op::Mpp);
+}
+
 void set_errors_beside(Context& context, Device inside) {
   const std::vector<Device> errors = context.named_of_role(SpecialRole::Error);
   if (errors.empty()) return;

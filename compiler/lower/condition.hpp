@@ -30,6 +30,9 @@ class Execution {
 // memory <- result, which has been gated, where live; leaves a result that is as good after gates.
 void remember(Context& context, Device memory);
 
+// bit <- value, under the current result: an exclusive choice of SET and RST.
+void copy_bit(Context& context, Device bit, Device value, bool quiet = false);
+
 // Sets the error relays that the program names if `inside` is 0, whatever the result.
 void set_errors_beside(Context& context, Device inside);
 

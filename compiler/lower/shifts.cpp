@@ -60,31 +60,20 @@ Device bit_of(Context& context, const Words& value, int n) {
 // The relays of carry <- `left`, or 0, under the current result.
 void set_carry(Context& context, const std::vector<Device>& relays, std::optional<Device> left) {
   for (const Device relay : relays) {
-    if (!left) {
+    if (left) {
+      copy_bit(context, relay, *left, true);
+    } else {
       context.coil(Core::Rst, relay, true);
-      continue;
     }
-    context.block(Core::Mps);
-    context.contact(Core::And, *left);
-    context.coil(Core::Set, relay, true);
-    context.block(Core::Mrd);
-    context.contact(Core::Ani, *left);
-    context.coil(Core::Rst, relay, true);
-    context.block(Core::Mpp);
   }
 }
 
-struct Shifted {
-  Words value;
-  std::optional<Device> left;  // the bit that left last
-};
-
-Shifted rotate_all(Context& context, const Words& value, int n, int bits) {
-  // A rotation by n to the left; to the right is one by the rest.
-  if (value.size() == 1) return {{rotate(context, value[0], n)}, {}};
+// By n to the left; to the right is a turn to the left by the rest.
+Words rotate_all(Context& context, const Words& value, int n, int bits) {
+  if (value.size() == 1) return {rotate(context, value[0], n)};
   const Words up = shift_left(context, value, n);
   const Words down = shift_right(context, value, bits - n);
-  return {combine(context, Core::Wor, up, down), {}};
+  return combine(context, Core::Wor, up, down);
 }
 
 // Through carry: a ring of one bit more, in which a turn to the right is one to the left by the
@@ -129,7 +118,7 @@ void turn(Context& context, bool left, bool through) {
       result = rotate_through(context, value, up, bits, relays.front());
     }
   } else {
-    if (up != 0) result = rotate_all(context, value, up, bits).value;
+    if (up != 0) result = rotate_all(context, value, up, bits);
     out = left ? bit_of(context, value, (2 * bits - by) % bits)
                : bit_of(context, value, (bits + by - 1) % bits);
   }

@@ -8,10 +8,10 @@
 
 #include <array>
 #include <cstdlib>
-#include <sstream>
 #include <stdexcept>
 
 #include "agree/case.hpp"
+#include "agree/environment.hpp"
 #include "driver/compile.hpp"
 #include "lockstep/lockstep.hpp"
 #include "programs/shrink.hpp"
@@ -20,24 +20,6 @@ namespace rung::tb {
 namespace {
 
 constexpr std::uint64_t kDefaultCount = 10000;
-
-std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
-  const char* text = std::getenv(name);
-  return text == nullptr ? otherwise : std::strtoull(text, nullptr, 10);
-}
-
-std::vector<Family> families_of_environment() {
-  std::vector<Family> families;
-  const char* text = std::getenv("RUNG_FAMILIES");
-  if (text == nullptr) return families;
-  std::istringstream in(text);
-  for (std::string name; std::getline(in, name, ',');) {
-    const std::optional<Family> family = find_family(name);
-    EXPECT_TRUE(family) << "RUNG_FAMILIES: no family " << name;
-    if (family) families.push_back(*family);
-  }
-  return families;
-}
 
 class Processors {
  public:
@@ -112,10 +94,8 @@ class RandomMelsec : public testing::TestWithParam<int> {
     };
     const std::string small =
         shrink(text, [&](const std::string& part) { return !difference_of(part).empty(); });
-    const char* const families = std::getenv("RUNG_FAMILIES");
-    FAIL() << found
-           << "replay: " << (families == nullptr ? "" : fmt::format("RUNG_FAMILIES={} ", families))
-           << "RUNG_SEED=" << seed << " build/test/tb/agree/agree_processors\n"
+    FAIL() << found << "replay: " << replay_families() << "RUNG_SEED=" << seed
+           << " build/test/tb/agree/agree_processors\n"
            << text << "the same with fewer lines: " << difference_of(small) << small;
   }
 

@@ -9,10 +9,10 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <sstream>
 
 #include "agree/c_batch.hpp"
 #include "agree/case.hpp"
+#include "agree/environment.hpp"
 #include "melsec/instructions.hpp"
 #include "programs/shrink.hpp"
 
@@ -26,24 +26,6 @@ constexpr std::uint64_t kBatch = 100;
 constexpr std::uint64_t kLeastUses = 10;
 // One batch in so many goes through the strict compiler.
 constexpr std::uint64_t kStrictEvery = 10;
-
-std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
-  const char* text = std::getenv(name);
-  return text == nullptr ? otherwise : std::strtoull(text, nullptr, 10);
-}
-
-std::vector<Family> families_of_environment() {
-  std::vector<Family> families;
-  const char* text = std::getenv("RUNG_FAMILIES");
-  if (text == nullptr) return families;
-  std::istringstream in(text);
-  for (std::string name; std::getline(in, name, ',');) {
-    const std::optional<Family> family = find_family(name);
-    EXPECT_TRUE(family) << "RUNG_FAMILIES: no family " << name;
-    if (family) families.push_back(*family);
-  }
-  return families;
-}
 
 class Agreement {
  public:
@@ -81,10 +63,8 @@ class Agreement {
   void report(const Case& one, const std::string& found) {
     const auto differs = [&](const std::string& text) { return !difference_of(one, text).empty(); };
     const std::string small = shrink(one.text, differs);
-    const char* const families = std::getenv("RUNG_FAMILIES");
-    FAIL() << found
-           << "replay: " << (families == nullptr ? "" : fmt::format("RUNG_FAMILIES={} ", families))
-           << "RUNG_SEED=" << one.seed << " build/test/tb/agree/agree_random\n"
+    FAIL() << found << "replay: " << replay_families() << "RUNG_SEED=" << one.seed
+           << " build/test/tb/agree/agree_random\n"
            << one.text << "the same with fewer lines: " << difference_of(one, small) << small;
   }
 

@@ -31,8 +31,7 @@ ProgramCounts count(const Program& program) {
     ++counts.instructions;
     const bool contact = is_contact(instruction.op);
     if (contact) {
-      const bool begins = instruction.op == Op::Ld || instruction.op == Op::Ldi;
-      if (!in_run || begins) counts.run_lengths.push_back(0);
+      if (!in_run || is_load(instruction.op)) counts.run_lengths.push_back(0);
       ++counts.run_lengths.back();
       ++counts.contacts;
     }

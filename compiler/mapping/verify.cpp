@@ -150,7 +150,8 @@ class Checker {
       if (!core::is_coil(source.op)) return;
       const Device target = source.targets[0];
       const auto number = static_cast<Version>(a);
-      const Word condition = nodes_[source.condition];
+      const Word condition =
+          source.condition == logic::kNoNode ? ~Word{0} : nodes_[source.condition];
       const Word before = bit(target, logic_.current(target, number));
       const Word after = source.op == core::Op::Out   ? condition
                          : source.op == core::Op::Set ? before | condition

@@ -29,10 +29,10 @@ def device_counts(c_file: Path) -> list[str]:
     """Compiler options that tell scan_adapter.c how many devices of each kind the program has."""
     text = c_file.read_text()
     options = []
-    for kind, macro in (("x", "INPUTS"), ("y", "OUTPUTS"), ("m", "RELAYS"), ("d", "WORDS")):
+    for kind, macro in (("X", "INPUTS"), ("Y", "OUTPUTS"), ("M", "RELAYS"), ("D", "WORDS")):
         match = re.search(rf"^  u?int\d+_t {kind}\[(\d+)\];", text, re.MULTILINE)
         if not match:
-            raise tools.FlowError(f"{c_file}: no array of the {kind.upper()} devices")
+            raise tools.FlowError(f"{c_file}: no array of the {kind} devices")
         options.append(f"-D{macro}={match.group(1)}")
     return options
 

@@ -23,7 +23,7 @@ namespace {
 constexpr std::uint64_t kDefaultCount = 10000;
 // Of the up to 20 scans that the C back end is compared over: what a processor does in one scan
 // does not depend on how many came before.
-constexpr std::size_t kMostScans = 12;
+constexpr std::size_t kMostScans = 8;
 
 class Processors {
  public:
@@ -53,7 +53,7 @@ class Processors {
       CompileOptions options;
       options.mpu = processor->mpu();
       options.config = &processor->config();
-      options.search.tries = 2;
+      options.search.tries = 1;
       Diagnostics diagnostics;
       const auto compiled = compile(one.program, options, diagnostics);
       if (!compiled) {

@@ -84,7 +84,7 @@ Compiled compile_slots(const Lowered& lowered, const CompileOptions& options) {
     expect(best.rows_fit ? "" : "the look-ups need more rows than there are", "assembly");
   }
   // MULS and DIVS pay where other steps fill the time until they are collected; else waiting does.
-  if (has_muldiv(mapping)) {
+  if (options.waiting_muldiv && has_muldiv(mapping)) {
     how.split_muldiv = false;
     Candidate waiting = build(lowered, map(how), options);
     if (waiting.rows_fit && is_better(waiting.compiled.image, best.compiled.image)) {

@@ -14,6 +14,8 @@ struct CompileOptions {
   bool paper = false;  // only the paper's instruction forms; the program must pass check_paper()
   const isa::Config* config = isa::find_config("ecp5");
   schedule::SearchOptions search;
+  // Also try MUL and DIV that wait for their result, and take what gives fewer clocks.
+  bool waiting_muldiv = true;
 };
 
 struct Compiled {

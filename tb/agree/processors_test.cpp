@@ -54,6 +54,7 @@ class Processors {
       options.mpu = processor->mpu();
       options.config = &processor->config();
       options.search.tries = 1;
+      options.waiting_muldiv = one.seed % 4 == 0;  // the other way to compile, now and then
       Diagnostics diagnostics;
       const auto compiled = compile(one.program, options, diagnostics);
       if (!compiled) {

@@ -66,7 +66,7 @@ test: ## all tests, built with sanitizers
 	  --output-log build/logs/test.log
 
 .PHONY: fuzz
-fuzz: ## fuzz the readers of files, SECONDS= for each; what is worth keeping goes to tb/fuzz/corpus
+fuzz: ## fuzz the readers of files, SECONDS= for each: reports/fuzz.md, tb/fuzz/corpus
 	@scripts/setup.sh fuzz
 	$(call cmake_build,build/fuzz,-DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_CXX_COMPILER=clang++ \
 	  -DCMAKE_C_COMPILER=clang -DRUNG_SANITIZE=ON -DRUNG_FUZZ=ON,--target fuzzers)

@@ -9,6 +9,7 @@ a reader crash, hang or leak is left in build/fuzz/faults and named; the exit st
 from __future__ import annotations
 
 import argparse
+import datetime
 import re
 import shutil
 import subprocess
@@ -61,6 +62,20 @@ def reduce(reader: str) -> None:
     shutil.copytree(kept, CORPUS / reader)
 
 
+def write_report(seconds: int, jobs: int, reports: list[str]) -> None:
+    """reports/fuzz.md, when all readers took part."""
+    text = "\n".join([
+        "# Fuzzing of the readers", "",
+        f"Made by `make fuzz SECONDS={seconds} JOBS={jobs}` on {datetime.date.today().isoformat()}: libFuzzer "
+        f"with the address and undefined-behaviour sanitizers, {seconds} s a reader, {jobs} at a time. The "
+        "inputs worth keeping are in `tb/fuzz/corpus` and are read again in every `make test`.", "",
+        *(f"- {report}" for report in reports), ""])
+    target = ROOT / "reports" / "fuzz.md"
+    temporary = target.with_suffix(".tmp")
+    temporary.write_text(text, encoding="utf-8")
+    temporary.replace(target)
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--seconds", type=int, default=600, help="for each reader")
@@ -79,6 +94,8 @@ def main() -> None:
         files = list((CORPUS / reader).iterdir())
         print(f"{reader}: corpus of {len(files)} inputs, "
               f"{sum(file.stat().st_size for file in files)} bytes")
+    if tuple(readers) == READERS:
+        write_report(options.seconds, options.jobs, reports)
 
 
 if __name__ == "__main__":

@@ -138,6 +138,8 @@ std::string_view kind_name(DeviceKind kind) {
     case DeviceKind::SW:
     case DeviceKind::R:
     case DeviceKind::HB:
+    case DeviceKind::PB:
+    case DeviceKind::PW:
     case DeviceKind::HW:
       break;
   }

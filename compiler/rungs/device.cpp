@@ -14,13 +14,15 @@ std::string_view dialect_name(Dialect dialect) {
     case Dialect::Fx:
       return "fx";
     case Dialect::Q:
+      return "q";
+    case Dialect::Ldmicro:
       break;
   }
-  return "q";
+  return "ldmicro";
 }
 
 std::optional<Dialect> find_dialect(std::string_view name) {
-  for (const Dialect dialect : {Dialect::Paper, Dialect::Fx, Dialect::Q}) {
+  for (const Dialect dialect : {Dialect::Paper, Dialect::Fx, Dialect::Q, Dialect::Ldmicro}) {
     if (dialect_name(dialect) == name) return dialect;
   }
   return std::nullopt;

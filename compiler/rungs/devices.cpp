@@ -41,9 +41,9 @@ constexpr TimerRange kTimers[] = {
 };
 
 // In the order of DeviceKind.
-constexpr std::string_view kLetters[] = {"X",  "Y",   "M",  "L",   "F",  "B",  "SB", "S", "SM",
-                                         "TS", "STS", "CS", "%B",  "D",  "W",  "SW", "R", "V",
-                                         "Z",  "SD",  "TN", "STN", "CN", "CN", "%W"};
+constexpr std::string_view kLetters[] = {"X",  "Y",   "M",  "L",  "F",   "B",  "SB", "S",  "SM",
+                                         "TS", "STS", "CS", "%B", "%PB", "D",  "W",  "SW", "R",
+                                         "V",  "Z",   "SD", "TN", "STN", "CN", "CN", "%W", "%PW"};
 static_assert(std::size(kLetters) == kDeviceKinds);
 
 struct Prefix {

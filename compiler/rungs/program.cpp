@@ -3,7 +3,9 @@
 
 #include <set>
 
+#include "rungs/devices.hpp"
 #include "rungs/footprint.hpp"
+#include "rungs/ports.hpp"
 
 namespace rung {
 
@@ -27,7 +29,7 @@ ProgramCounts count(const Program& program) {
   counts.networks = static_cast<int>(program.networks.size());
   bool in_run = false;
   for (const Instruction& instruction : program.instructions) {
-    if (instruction.op == Op::Label) continue;
+    if (instruction.op == Op::Label || is_frame(instruction.op)) continue;
     ++counts.instructions;
     const bool contact = is_contact(instruction.op);
     if (contact) {
@@ -38,6 +40,26 @@ ProgramCounts count(const Program& program) {
     in_run = contact;
   }
   return counts;
+}
+
+std::string device_name(Device device, const Program& program) {
+  const auto name = program.names.find(device);
+  return name == program.names.end() ? device_name(device, program.dialect) : name->second;
+}
+
+std::optional<Device> find_device(std::string_view name, const Program& program) {
+  if (program.dialect != Dialect::Ldmicro) return parse_device_name(name, program.dialect);
+  for (const auto& [device, given] : program.names) {
+    if (given == name && !is_port(device.kind)) return device;
+  }
+  return std::nullopt;
+}
+
+std::optional<Device> find_channel(std::string_view name, const Program& program) {
+  for (const auto& [device, given] : program.names) {
+    if (given == name && is_port(device.kind)) return device;
+  }
+  return std::nullopt;
 }
 
 std::vector<Device> named_devices(const Program& program) {

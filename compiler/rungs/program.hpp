@@ -19,7 +19,9 @@
 namespace rung {
 
 // What an instruction does; the names are MELSEC's, whatever the dialect called it. `operands` are
-// in the order of the source, two-operand forms written out in full.
+// in the order of the source, two-operand forms written out in full. An LDmicro program has the
+// instructions behind Rung, and of those before it And, Ani, AndCompare, Out, Outi, Set, Rst, Mov,
+// Add, Sub, Mul and Div, which mean the same there (compiler/LDMICRO.md).
 enum class Op : std::uint8_t {
   Nop,
   Label,  // a pointer, P: operands[0]
@@ -108,7 +110,37 @@ enum class Op : std::uint8_t {
   Fend,
   For,  // count
   Next,
+  // LDmicro: a rung is a series of elements, in which series may stand in parallel. The condition
+  // goes through them from left to right, and each may change it.
+  Rung,      // begins a rung; the condition is what MASTER RELAY lets through
+  Comment,   // `note`
+  Parallel,  // the condition goes into several branches; the first one begins
+  Branch,    // that one ends and the next begins
+  Join,      // the last one ends; the condition is 1 if it is at the end of any of them
+  Short,
+  Open,
+  Osr,
+  Osf,
+  MasterRelay,
+  Ton,  // variable, number of scans after which the output changes (at least 1); `base_us`
+  Tof,
+  Rto,
+  Res,  // variable
+  Ctu,  // variable, limit
+  Ctd,
+  Ctc,
+  ShiftRegister,    // the variables, the first stage first
+  LookUpTable,      // target, index, Number: shown as a string in LDmicro's editor; `table`
+  PiecewiseLinear,  // target, index; `table`: x0 y0 x1 y1 ...
+  ReadAdc,          // variable, Number: channel
+  SetPwm,           // duty (variable), Constant: frequency in Hz
+  Persist,          // variable, Number: which of the program's
+  UartSend,         // variable
+  UartRecv,
+  FormattedString,  // variable, or no operand; `table`: characters as the source has them
 };
+// Rung, Parallel, Branch, Join, Comment: they are not elements of the source's count.
+inline bool is_frame(Op op) { return op >= Op::Rung && op <= Op::Join; }
 
 enum class Relation : std::uint8_t { Equal, NotEqual, Less, Greater, LessEqual, GreaterEqual };
 
@@ -135,15 +167,33 @@ struct Instruction {
   int width = 16;                       // 16, or 32 for the D forms
   bool pulse = false;                   // P forms: executed only when the condition goes on
   Relation relation = Relation::Equal;  // compare contacts
-  std::int64_t base_us = 0;             // OutT: time of one tick
+  std::int64_t base_us = 0;             // OutT: time of one tick; Ton, Tof, Rto: the delay
   bool double_width = false;  // MUL, DIV: the result takes twice the width (not in `paper`)
   bool two_operand = false;   // the source wrote `ADD rs rd` (for listings and translation)
   // Index of the instruction it leads to: CJ and CALL to the Label, FOR to NEXT, NEXT to FOR.
   std::size_t destination = 0;
-  SourcePosition position;  // of the mnemonic
-  std::string text;         // the instruction as the source wrote it, blanks normalised
+  std::vector<std::int32_t> table = {};  // of the instructions that have one
+  std::string note = {};                 // Comment: its text, lines parted by \n
+  SourcePosition position;               // of the mnemonic
+  std::string text;  // the instruction as the source wrote it, blanks normalised
 
   const Operand& operand(std::size_t i) const { return operands.at(i); }
+};
+
+// What an LDmicro file says beside its rungs.
+struct LdmicroSettings {
+  struct Pin {
+    std::string name;
+    int pin = 0;  // 0: not assigned
+    bool operator==(const Pin&) const = default;
+  };
+  std::string micro;
+  std::int64_t cycle_us = 10000;
+  std::int64_t crystal_hz = 4000000;
+  std::int64_t baud = 2400;
+  std::string compiled;  // the file that was last made of it
+  std::vector<Pin> pins;
+  SourcePosition cycle_position, baud_position;  // for what the configuration cannot do
 };
 
 struct Network {
@@ -157,7 +207,19 @@ struct Program {
   std::vector<Instruction> instructions;   // without END
   std::vector<Network> networks;           // consecutive, covering all instructions
   std::map<Device, std::string> comments;  // device names, from a comment file
+  // LDmicro only: what its devices are called, as traces write it (a variable that shares its name
+  // with a bit is `name:w`); an analogue channel has the name of the variable that it is read into.
+  std::map<Device, std::string> names;
+  std::optional<LdmicroSettings> ldmicro;
 };
+
+// The name of a device of this program in its traces.
+std::string device_name(Device device, const Program& program);
+// The device that a trace of this program means by a name; of a list also one that it does not use.
+// A name that is both is the variable's, not its analogue channel's: find_channel().
+std::optional<Device> find_device(std::string_view name, const Program& program);
+// The analogue channel that is read into the variable of this name.
+std::optional<Device> find_channel(std::string_view name, const Program& program);
 
 // Contacts (INTERFACES.md): LD LDI AND ANI OR ORI, their P and F forms, compare contacts.
 inline bool is_contact(Op op) { return op >= Op::Ld && op <= Op::OrCompare; }

@@ -84,7 +84,7 @@ class Checks {
     if (!reported_.insert(device).second) return;
     warn(instruction,
          fmt::format("{}: nothing in the program gives {} a value, so that it is always 0",
-                     instruction.text, device_name(device, program_)),
+                     shown(instruction.text), device_name(device, program_)),
          is_word(device) ? "assign to it, or write the number itself"
                          : "give it a coil, or another name if it is an input (X)");
   }
@@ -101,13 +101,13 @@ class Checks {
     if (!is_new && (timer || first->second->op <= Op::Rto)) {
       warn(instruction,
            fmt::format("{}: {} counts in line {} already, and the two disturb each other",
-                       instruction.text, device_name(device, program_),
+                       shown(instruction.text), device_name(device, program_),
                        first->second->position.line),
            "give each timer a variable of its own");
     }
     if (instruction.op == Op::Rto && reset_.count(device) == 0) {
       warn(instruction,
-           fmt::format("{}: nothing resets {}, so that it stays on once it is", instruction.text,
+           fmt::format("{}: nothing resets {}, so that it stays on once it is", shown(instruction.text),
                        device_name(device, program_)),
            fmt::format("put RES {} where it is to begin again", device_name(device, program_)));
     }

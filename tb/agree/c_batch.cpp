@@ -10,13 +10,16 @@
 #include <map>
 
 #include "backends/c_writer.hpp"
+#include "rungs/ports.hpp"
 
 namespace rung::tb {
 namespace {
 
 // The main program behind the translated ones. Its input, in 32-bit numbers: for each program the
 // tick and how many scans, for each scan how many events, for each event which device and value.
-// Its output: the values of all devices after each scan, 16 bits each.
+// Its output, 16 bits each: after each scan the values of all devices, and the byte that was sent
+// or -1. A program's names are those of its devices and then the device ports of kPorts. The model
+// of the transmitter is that of compiler/LDMICRO.md: busy in the scan of a byte and in the next.
 constexpr const char* kMain = R"(
 #include <stdio.h>
 #include <string.h>
@@ -35,34 +38,67 @@ static int next(void) {
   return fread(&value, sizeof value, 1, stdin) == 1 ? value : 0;
 }
 
+static void set(const struct plc_device *device, int value) {
+  if (device->bit) *device->bit = (uint8_t)value;
+  if (device->word) *device->word = (int16_t)value;
+}
+
+static int get(const struct plc_device *device) {
+  return device->bit ? *device->bit : device->word ? *device->word : 0;
+}
+
+enum { TX_READY, TX_DATA, RX_FULL, RX_DATA };
+
 static void run(const struct plc *p) {
   static const struct plc_device *at[20000];
   static int16_t values[20000];
+  const struct plc_device **ports = at + p->count;
   int tick = next();
   int scans = next();
-  int scan, i;
-  for (i = 0; i < p->count; i++) {
+  int scan, i, free_scan = 0;
+  for (i = 0; p->names[i]; i++) {
     for (at[i] = p->table; at[i]->name && strcmp(at[i]->name, p->names[i]) != 0;) at[i]++;
   }
   p->reset();
-  p->elapsed((uint32_t)tick);
+  if (p->elapsed) p->elapsed((uint32_t)tick);
   for (scan = 0; scan < scans; scan++) {
     int events = next();
     for (; events > 0; events--) {
       const struct plc_device *device = at[next()];
-      int value = next();
-      if (device->bit) *device->bit = (uint8_t)value;
-      if (device->word) *device->word = (int16_t)value;
+      set(device, next());
+      if (device == ports[RX_DATA]) set(ports[RX_FULL], 1);
     }
+    set(ports[TX_READY], scan >= free_scan);
     p->cycle();
-    for (i = 0; i < p->count; i++) {
-      values[i] = (int16_t)(at[i]->bit ? *at[i]->bit : at[i]->word ? *at[i]->word : 0);
+    for (i = 0; i < p->count; i++) values[i] = (int16_t)get(at[i]);
+    values[i] = -1;
+    if (scan >= free_scan && ports[TX_READY]->bit && !get(ports[TX_READY])) {
+      values[i] = (int16_t)(get(ports[TX_DATA]) & 0xFF);
+      free_scan = scan + 2;
     }
-    fwrite(values, sizeof values[0], (size_t)p->count, stdout);
+    fwrite(values, sizeof values[0], (size_t)p->count + 1, stdout);
   }
   fflush(stdout);
 }
 )";
+
+// As the main program numbers them; the analogue channels follow.
+constexpr Device kPorts[] = {port::uart_tx_ready, port::uart_tx_data, port::uart_rx_full,
+                             port::uart_rx_data};
+
+// A port's name is never that of the variable that an analogue channel is read into.
+std::string name_in_c(const Case& one, Device device) {
+  return is_port(device.kind) ? device_name(device, one.program.dialect)
+                              : device_name(device, one.program);
+}
+
+// The devices of a case, then the ports, all by the numbers that the main program has for them.
+std::vector<Device> numbered_devices(const Case& one) {
+  std::vector<Device> devices = one.devices;
+  devices.insert(devices.end(), std::begin(kPorts), std::end(kPorts));
+  for (int i = 0; i < port::adc_count; ++i) devices.push_back(port::at(port::adc, i));
+  return devices;
+}
 
 std::string prefix_of(std::size_t i) { return fmt::format("p{}_", i); }
 
@@ -77,15 +113,17 @@ std::string source_of(std::span<const Case> cases) {
   text += kMain;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     text += fmt::format("static const char *const n{}[] = {{", i);
-    for (const Device device : cases[i].devices) {
-      text += fmt::format("\"{}\",", device_name(device, cases[i].program.dialect));
+    for (const Device device : numbered_devices(cases[i])) {
+      text += fmt::format("\"{}\",", name_in_c(cases[i], device));
     }
     text += "0};\n";
   }
   text += "static const struct plc all[] = {\n";
   for (std::size_t i = 0; i < cases.size(); ++i) {
-    text += fmt::format("{{{0}Reset, {0}Cycle, {0}Elapsed, {0}Devices, n{1}, {2}}},\n",
-                        prefix_of(i), i, cases[i].devices.size());
+    // The time between the scans of an LDmicro program is its own.
+    const bool elapsed = cases[i].program.dialect != Dialect::Ldmicro;
+    text += fmt::format("{{{0}Reset, {0}Cycle, {1}, {0}Devices, n{2}, {3}}},\n", prefix_of(i),
+                        elapsed ? prefix_of(i) + "Elapsed" : "0", i, cases[i].devices.size());
   }
   text += fmt::format(
       "}};\nint main(void) {{\n  int i;\n  for (i = 0; i < {}; i++) run(&all[i]);\n  return "
@@ -102,7 +140,7 @@ std::string input_of(std::span<const Case> cases) {
   };
   for (const Case& one : cases) {
     std::map<Device, std::size_t> index;
-    for (std::size_t i = 0; i < one.devices.size(); ++i) index[one.devices[i]] = i;
+    for (const Device device : numbered_devices(one)) index.emplace(device, index.size());
     add(one.tick_us);
     add(one.scans());
     for (const auto& events : one.events) {
@@ -126,14 +164,17 @@ std::string read(const std::string& path) {
 }
 
 // As many whole scans as `output` holds from `at` on.
-States states_of(const Case& one, const std::string& output, std::size_t& at) {
-  States states;
-  const std::size_t size = one.devices.size() * sizeof(std::int16_t);
+Behaviour behaviour_of(const Case& one, const std::string& output, std::size_t& at) {
+  Behaviour behaviour;
+  std::vector<std::int16_t> values(one.devices.size() + 1);
+  const std::size_t size = values.size() * sizeof(std::int16_t);
   for (int scan = 0; scan < one.scans() && at + size <= output.size(); ++scan, at += size) {
-    std::vector<std::int16_t>& state = states.emplace_back(one.devices.size());
-    std::copy_n(output.data() + at, size, reinterpret_cast<char*>(state.data()));
+    std::copy_n(output.data() + at, size, reinterpret_cast<char*>(values.data()));
+    behaviour.states.emplace_back(values.begin(), values.end() - 1);
+    std::vector<int>& sent = behaviour.sent.emplace_back();
+    if (values.back() >= 0) sent.push_back(values.back());
   }
-  return states;
+  return behaviour;
 }
 
 }  // namespace
@@ -159,7 +200,7 @@ CRun run_as_c(std::span<const Case> cases, CCompiler compiler, const std::string
   }
   const std::string output = read(base + ".out");
   std::size_t at = 0;
-  for (const Case& one : cases) run.states.push_back(states_of(one, output, at));
+  for (const Case& one : cases) run.behaviours.push_back(behaviour_of(one, output, at));
   return run;
 }
 

@@ -25,7 +25,7 @@ std::uint64_t fnv1a(std::string_view text) {
 
 std::optional<Program> read(const std::string& text, std::string& messages) {
   Diagnostics diagnostics;
-  const auto source = decode_text(text, "t.ld", diagnostics);
+  const auto source = decode_ldmicro(text, "t.ld", diagnostics);
   std::optional<Program> program;
   if (source) program = parse_ldmicro(*source, diagnostics);
   std::ostringstream out;

@@ -23,6 +23,7 @@ std::string to_json(const Compiled& compiled) {
   out["instructions"] = s.instructions;
   out["contacts"] = s.contacts;
   out["runs"] = s.runs;
+  if (image.dialect == dialect_name(Dialect::Ldmicro)) out["runs"] = nullptr;
   out["lookups"] = s.lookups;
   out["steps"] = image.steps.size();
   out["clocks"] = image.clocks;

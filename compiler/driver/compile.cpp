@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "driver/peripherals.hpp"
 #include "lower/lower.hpp"
 
 namespace rung {
@@ -151,6 +152,7 @@ void check_size(const std::string& file, const char* what, int needed, int avail
 std::optional<Compiled> compile(const Program& program, const CompileOptions& options,
                                 Diagnostics& diagnostics) {
   const int errors = diagnostics.error_count();
+  check_peripherals(program, *options.config, diagnostics);
   Lowered lowered{program, lower::lower(program), {}};
   Compiled compiled;
   if (options.mpu == Mpu::Mpu1) {

@@ -84,7 +84,7 @@ Opcode plain_opcode(Op op) {
 class Assembler {
  public:
   Assembler(const Program& source, const core::Program& program, const isa::Config& config)
-      : program_(program), config_(config), addresses_(source, program) {
+      : program_(program), config_(config), addresses_(source, program, config) {
     image_ = start_image(source, program, addresses_, config, isa::Mpu::Mpu1);
   }
 

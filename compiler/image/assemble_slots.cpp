@@ -112,7 +112,7 @@ bool assemble_slots(const Program& source, const core::Program& program,
                     const mapping::Mapping& mapping, const schedule::Schedule& schedule,
                     const schedule::Temporaries& temporaries, const isa::Config& config,
                     isa::Mpu mpu, Image& image) {
-  const Addresses addresses(source, program);
+  const Addresses addresses(source, program, config);
   SlotAssembler assembler(addresses, temporaries);
   Image out = start_image(source, program, addresses, config, mpu);
   for (const auto& step : schedule.steps) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "image/frame.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <set>
 
@@ -11,12 +12,23 @@ namespace rung::image {
 using isa::SlotInstruction;
 using isa::WordKind;
 
-Addresses::Addresses(const Program& source, const core::Program& program) {
+Addresses::Addresses(const Program& source, const core::Program& program,
+                     const isa::Config& config) {
   std::set<Device> all;
   for (const Device device : visible_devices(source)) all.insert(device);
   for (const Device device : core::devices(program)) all.insert(device);
   // Hidden kinds stand last among the bits and among the words.
-  for (const Device device : all) devices_[device] = is_word(device) ? words_++ : bits_++;
+  for (const Device device : all) {
+    const bool word = is_word(device);
+    if (is_port(device.kind)) {
+      const int number = static_cast<int>(device.number);
+      int& ports = word ? port_words_ : port_bits_;
+      ports = std::max(ports, number + 1);
+      devices_[device] = (word ? config.word_devices : config.bit_devices) - 1 - number;
+    } else {
+      devices_[device] = word ? words_++ : bits_++;
+    }
+  }
 }
 
 Image start_image(const Program& source, const core::Program& program, const Addresses& addresses,
@@ -27,10 +39,13 @@ Image start_image(const Program& source, const core::Program& program, const Add
   image.mpu = mpu;
   image.config = config.name;
   for (const auto& [device, address] : addresses.devices()) {
-    if (is_hidden(device.kind)) continue;
+    // Of the ports only analogue channels have names.
+    const bool channel = is_port(device.kind) && source.names.contains(device);
+    if (is_hidden(device.kind) && !channel) continue;
     const auto comment = source.comments.find(device);
-    image.devices.push_back({device_name(device, source.dialect), device, address,
+    image.devices.push_back({device_name(device, source), device, address,
                              comment == source.comments.end() ? std::string() : comment->second});
+    if (channel) continue;
     int& hidden = is_word(device) ? image.first_hidden_word : image.first_hidden_bit;
     hidden = address + 1;
   }
@@ -45,8 +60,14 @@ Image start_image(const Program& source, const core::Program& program, const Add
   image.statistics.instructions = counts.instructions;
   image.statistics.contacts = counts.contacts;
   image.statistics.runs = static_cast<int>(counts.run_lengths.size());
-  image.statistics.bit_devices = addresses.bits();
-  image.statistics.word_devices = addresses.words();
+  image.statistics.bit_devices = addresses.bits() + addresses.port_bits();
+  image.statistics.word_devices = addresses.words() + addresses.port_words();
+  image.port_bits = addresses.port_bits();
+  image.port_words = addresses.port_words();
+  if (source.ldmicro) {
+    image.cycle_us = source.ldmicro->cycle_us;
+    image.baud = source.ldmicro->baud;
+  }
   return image;
 }
 

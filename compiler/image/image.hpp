@@ -16,7 +16,8 @@
 
 namespace rung::image {
 
-// A device that the program names, and where the processor keeps it.
+// A device that the program names, and where the processor keeps it. An analogue channel is a
+// device port with the name of the variable that it is read into.
 struct ImageDevice {
   std::string name;  // as traces write it
   Device device;
@@ -61,7 +62,12 @@ struct Image {
   std::vector<std::uint8_t> lut;     // function of each row, from row 0
   std::vector<ImageDevice> devices;  // those that the program names, by kind and number
   std::vector<ImageTicks> ticks;
-  int first_hidden_bit = 0;  // addresses from here are the compiler's own
+  // Device ports from the first up to the highest that the program uses (hdl/isa/ports.toml).
+  int port_bits = 0;
+  int port_words = 0;
+  std::int64_t cycle_us = 0;  // of an LDmicro program: the time from scan to scan
+  std::int64_t baud = 0;      // and the speed of its UART
+  int first_hidden_bit = 0;   // addresses from here are the compiler's own
   int first_hidden_word = 0;
   std::vector<SourceLine> source;  // the instructions of the program
   std::int64_t clocks = 0;         // of one scan, the pipeline's filling included

@@ -7,8 +7,6 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "rungs/devices.hpp"
-
 namespace rung::image {
 namespace {
 
@@ -46,6 +44,9 @@ json to_json(const Image& image) {
   out["config"] = image.config;
   out["lut"] = image.lut;
   out["clocks"] = image.clocks;
+  out["ports"] = {image.port_bits, image.port_words};
+  out["cycle_us"] = image.cycle_us;
+  out["baud"] = image.baud;
   out["first_hidden"] = {image.first_hidden_bit, image.first_hidden_word};
   json steps = json::array();
   for (const auto& step : image.steps) {
@@ -61,7 +62,8 @@ json to_json(const Image& image) {
   out["ticks"] = std::move(ticks);
   json devices = json::array();
   for (const ImageDevice& device : image.devices) {
-    devices.push_back({device.name, device.address, device.comment});
+    devices.push_back({device.name, static_cast<int>(device.device.kind), device.device.number,
+                       device.address, device.comment});
   }
   out["devices"] = std::move(devices);
   json source = json::array();
@@ -78,6 +80,8 @@ json to_json(const Image& image) {
 void require(bool condition, const char* what) {
   if (!condition) throw std::runtime_error(what);
 }
+
+bool inside(int address, int size) { return address >= 0 && address < size; }
 
 // Everything that the processor and the tools index by is checked here, once.
 void check(const Image& image, const isa::Config& config) {
@@ -96,7 +100,6 @@ void check(const Image& image, const isa::Config& config) {
       require(!mapping::is_lookup(slot.opcode) || slot.row < image.lut.size(), "LUT row");
     }
   }
-  const auto inside = [](int address, int size) { return address >= 0 && address < size; };
   for (const ImageDevice& device : image.devices) {
     const int size = is_word(device.device) ? config.word_devices : config.bit_devices;
     require(inside(device.address, size), "device address");
@@ -105,6 +108,9 @@ void check(const Image& image, const isa::Config& config) {
     require(inside(each.address, config.word_devices), "address of ticks");
     require(each.base_us > 0, "base of ticks");
   }
+  require(image.port_bits >= 0 && image.port_bits <= config.bit_devices, "port bits");
+  require(image.port_words >= 0 && image.port_words <= config.word_devices, "port words");
+  require(image.cycle_us >= 0 && image.baud >= 0, "cycle");
   const Statistics& s = image.statistics;
   require(image.first_hidden_bit >= 0 && s.bit_devices <= config.bit_devices, "bit devices");
   require(image.first_hidden_word >= 0 && s.word_devices <= config.word_devices, "word devices");
@@ -114,8 +120,7 @@ Image from_json(const json& in) {
   Image image;
   image.program = in.at("program").get<std::string>();
   image.dialect = in.at("dialect").get<std::string>();
-  const auto dialect = find_dialect(image.dialect);
-  require(dialect.has_value(), "dialect");
+  require(find_dialect(image.dialect).has_value(), "dialect");
   const int mpu = in.at("mpu").get<int>();
   require(mpu >= 1 && mpu <= 3, "processor");
   image.mpu = static_cast<isa::Mpu>(mpu);
@@ -125,6 +130,10 @@ Image from_json(const json& in) {
   require(config != nullptr, "configuration");
   image.lut = in.at("lut").get<std::vector<std::uint8_t>>();
   image.clocks = in.at("clocks").get<std::int64_t>();
+  image.port_bits = in.at("ports").at(0).get<int>();
+  image.port_words = in.at("ports").at(1).get<int>();
+  image.cycle_us = in.at("cycle_us").get<std::int64_t>();
+  image.baud = in.at("baud").get<std::int64_t>();
   image.first_hidden_bit = in.at("first_hidden").at(0).get<int>();
   image.first_hidden_word = in.at("first_hidden").at(1).get<int>();
   for (const json& words : in.at("steps")) {
@@ -137,11 +146,12 @@ Image from_json(const json& in) {
   }
   image.origins = in.at("origins").get<std::vector<std::vector<int>>>();
   for (const json& device : in.at("devices")) {
-    const auto name = device.at(0).get<std::string>();
-    const auto parsed = parse_device_name(name, *dialect);
-    require(parsed.has_value(), "device name");
-    image.devices.push_back(
-        {name, *parsed, device.at(1).get<int>(), device.at(2).get<std::string>()});
+    const int kind = device.at(1).get<int>();
+    require(inside(kind, kDeviceKinds), "kind of a device");
+    image.devices.push_back({device.at(0).get<std::string>(),
+                             {static_cast<DeviceKind>(kind), device.at(2).get<std::uint32_t>()},
+                             device.at(3).get<int>(),
+                             device.at(4).get<std::string>()});
   }
   image.quiet = in.at("quiet").get<std::vector<std::vector<std::uint8_t>>>();
   for (const json& each : in.at("ticks")) {

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <optional>
+
 #include "image/image.hpp"
+#include "rungs/ports.hpp"
 
 namespace rung::image {
 namespace {
@@ -10,17 +13,30 @@ using isa::Opcode;
 using isa::SlotInstruction;
 using isa::WordKind;
 
+// The device port at `address` of a memory of this size, if the program has it.
+std::optional<std::string> port_name(int address, int size, int ports, DeviceKind kind) {
+  if (address < size - ports) return std::nullopt;
+  return port::name({kind, static_cast<std::uint32_t>(size - 1 - address)});
+}
+
 std::string bit_name(int address, const Image& image) {
   for (const ImageDevice& device : image.devices) {
     if (!is_word(device.device) && device.address == address) return device.name;
   }
+  const int size = isa::find_config(image.config)->bit_devices;
+  const auto port = port_name(address, size, image.port_bits, DeviceKind::PB);
+  if (port) return *port;
   return fmt::format("t{}", address - image.first_hidden_bit);
 }
 
 std::string word_name(int address, const Image& image) {
   for (const ImageDevice& device : image.devices) {
-    if (is_word(device.device) && device.address == address) return device.name;
+    const bool named = is_word(device.device) && !is_port(device.device.kind);
+    if (named && device.address == address) return device.name;
   }
+  const int size = isa::find_config(image.config)->word_devices;
+  const auto port = port_name(address, size, image.port_words, DeviceKind::PW);
+  if (port) return *port;
   return fmt::format("w{}", address - image.first_hidden_word);
 }
 

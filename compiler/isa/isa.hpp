@@ -54,6 +54,7 @@ struct Config {
   int div_latency;
   int mul32_latency;
   int div32_latency;
+  int clock_hz;  // of the controller and its peripherals
 
   int steps(Mpu mpu) const;
   // Clocks that one instruction of this opcode takes, executed or not.

@@ -143,6 +143,11 @@ Device Context::memory(int which) {
   return place->second;
 }
 
+Device Context::memory_word(int which) {
+  const auto number = static_cast<std::uint32_t>(memory_words_.size());
+  return memory_words_.try_emplace({index_, which}, Device{DeviceKind::HW, number}).first->second;
+}
+
 Device Context::memory_of(Device device, Role role) {
   const auto [place, fresh] = device_memories_.try_emplace({device, role});
   if (fresh) place->second = fresh_bit();

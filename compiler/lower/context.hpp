@@ -82,6 +82,8 @@ class Context {
   // A bit of the current source instruction that lasts from scan to scan; copies of the
   // instruction share it.
   Device memory(int which = 0);
+  // The same for a word.
+  Device memory_word(int which = 0);
   // One that belongs to a device.
   enum class Role { Coil, Held, TicksUsed, Left };
   Device memory_of(Device device, Role role);
@@ -114,7 +116,7 @@ class Context {
   std::vector<Device> states_;
   std::set<Device> named_;
   std::map<DeviceKind, std::vector<Device>> windows_;
-  std::map<std::pair<std::size_t, int>, Device> memories_;
+  std::map<std::pair<std::size_t, int>, Device> memories_, memory_words_;
   std::map<std::pair<Device, Role>, Device> device_memories_;
   std::uint32_t next_memory_ = 0;
   std::uint32_t next_bit_ = 0;

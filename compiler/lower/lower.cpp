@@ -7,6 +7,7 @@
 #include "lower/condition.hpp"
 #include "lower/contacts.hpp"
 #include "lower/context.hpp"
+#include "lower/ldmicro.hpp"
 #include "lower/timers.hpp"
 #include "lower/words.hpp"
 
@@ -292,6 +293,8 @@ class Walk {
 
 }  // namespace
 
-core::Program lower(const Program& program) { return Walk(program).run(); }
+core::Program lower(const Program& program) {
+  return program.dialect == Dialect::Ldmicro ? lower_ldmicro(program) : Walk(program).run();
+}
 
 }  // namespace rung::lower

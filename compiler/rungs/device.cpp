@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "rungs/devices.hpp"
+#include "rungs/ports.hpp"
 
 namespace rung {
 
@@ -29,6 +30,7 @@ std::optional<Dialect> find_dialect(std::string_view name) {
 }
 
 std::string device_name(Device device, Dialect dialect) {
+  if (is_port(device.kind)) return port::name(device);
   if (device.kind == DeviceKind::CNH) {
     return device_name({DeviceKind::CN, device.number}, dialect) + ":h";
   }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "rungs/device.hpp"
 
@@ -19,5 +20,8 @@ namespace rung::port {
 constexpr Device at(Device first, int i) {
   return {first.kind, first.number + static_cast<std::uint32_t>(i)};
 }
+
+// "uart_rx_full", "adc2": the name in the table, numbered where there are several.
+std::string name(Device port);
 
 }  // namespace rung::port

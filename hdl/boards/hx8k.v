@@ -30,7 +30,7 @@ module hx8k #(
     if (MPU == 1) begin : gen_mpu1
       board_core #(
           .MPU(1),
-          .CLOCK_HZ(12000000),
+          .CLOCK_HZ(`RUNG_HX8K_CLOCK_HZ),
           `RUNG_HX8K_MPU1
       ) core (
           .clk_i  (clk_12mhz_i),
@@ -48,7 +48,7 @@ module hx8k #(
     end else if (MPU == 2) begin : gen_mpu2
       board_core #(
           .MPU(2),
-          .CLOCK_HZ(12000000),
+          .CLOCK_HZ(`RUNG_HX8K_CLOCK_HZ),
           `RUNG_HX8K_MPU2
       ) core (
           .clk_i  (clk_12mhz_i),
@@ -66,7 +66,7 @@ module hx8k #(
     end else begin : gen_mpu3
       board_core #(
           .MPU(3),
-          .CLOCK_HZ(12000000),
+          .CLOCK_HZ(`RUNG_HX8K_CLOCK_HZ),
           `RUNG_HX8K_MPU3
       ) core (
           .clk_i  (clk_12mhz_i),

@@ -33,7 +33,7 @@ module ulx3s #(
     if (MPU == 1) begin : gen_mpu1
       board_core #(
           .MPU(1),
-          .CLOCK_HZ(25000000),
+          .CLOCK_HZ(`RUNG_ECP5_CLOCK_HZ),
           `RUNG_ECP5_MPU1
       ) core (
           .clk_i  (clk_25mhz_i),
@@ -51,7 +51,7 @@ module ulx3s #(
     end else if (MPU == 2) begin : gen_mpu2
       board_core #(
           .MPU(2),
-          .CLOCK_HZ(25000000),
+          .CLOCK_HZ(`RUNG_ECP5_CLOCK_HZ),
           `RUNG_ECP5_MPU2
       ) core (
           .clk_i  (clk_25mhz_i),
@@ -69,7 +69,7 @@ module ulx3s #(
     end else begin : gen_mpu3
       board_core #(
           .MPU(3),
-          .CLOCK_HZ(25000000),
+          .CLOCK_HZ(`RUNG_ECP5_CLOCK_HZ),
           `RUNG_ECP5_MPU3
       ) core (
           .clk_i  (clk_25mhz_i),

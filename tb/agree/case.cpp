@@ -86,12 +86,26 @@ std::string difference(const Case& one, const States& expected, const States& st
     for (std::size_t i = 0; i < one.devices.size(); ++i) {
       if (expected[scan][i] == states[scan][i]) continue;
       return fmt::format("seed {}, scan {} (tick {} us): {} is {} in the reference and {} in {}\n",
-                         one.seed, scan, one.tick_us,
-                         device_name(one.devices[i], one.program.dialect), expected[scan][i],
-                         states[scan][i], engine);
+                         one.seed, scan, one.tick_us, device_name(one.devices[i], one.program),
+                         expected[scan][i], states[scan][i], engine);
     }
   }
   return {};
+}
+
+std::string difference(const Case& one, const Behaviour& expected, const Behaviour& behaviour,
+                       const std::string& engine) {
+  std::string found = difference(one, expected.states, behaviour.states, engine);
+  for (std::size_t scan = 0; scan < expected.sent.size() && found.empty(); ++scan) {
+    if (scan < behaviour.sent.size() && behaviour.sent[scan] == expected.sent[scan]) continue;
+    const auto bytes = [&](const Behaviour& each) {
+      return scan < each.sent.size() ? fmt::format("[{}]", fmt::join(each.sent[scan], ", "))
+                                     : std::string("nothing");
+    };
+    found = fmt::format("seed {}, scan {}: sent is {} in the reference and {} in {}\n", one.seed,
+                        scan, bytes(expected), bytes(behaviour), engine);
+  }
+  return found;
 }
 
 }  // namespace rung::tb

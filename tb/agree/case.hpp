@@ -27,6 +27,12 @@ struct Case {
 // The values of all devices of a case after each scan.
 using States = std::vector<std::vector<std::int16_t>>;
 
+// What an engine shows of a case in each scan.
+struct Behaviour {
+  States states;
+  std::vector<std::vector<int>> sent;  // bytes that the transmitter was given
+};
+
 // Program number `seed`, of the families in `only` (all if empty).
 std::string text_of(std::uint64_t seed, const std::vector<Family>& only);
 // A program with the stimulus of `seed`; of a case that `text` is a part of, with the same events.
@@ -37,9 +43,11 @@ std::optional<Case> make_case(std::uint64_t seed, const std::string& text, std::
 // The reference's states.
 States run_reference(const Case& one);
 
-// The first difference of `states` of `engine` from `expected`, for a reader; empty if there is
-// none.
+// The first difference of `states`, or of a whole behaviour, of `engine` from `expected`, for a
+// reader; empty if there is none.
 std::string difference(const Case& one, const States& expected, const States& states,
+                       const std::string& engine);
+std::string difference(const Case& one, const Behaviour& expected, const Behaviour& behaviour,
                        const std::string& engine);
 
 }  // namespace rung::tb

@@ -25,7 +25,7 @@ static uint8_t sending;
 ISR(TIMER1_COMPA_vect) { tick = 1; }
 
 uint8_t board_input(uint8_t number) {
-  return (uint8_t)(PIND >> (number == 0 ? 2 : number + 3) & 1);
+  return (uint8_t)(PIND >> (number + 4) & 1);
 }
 
 void board_output(uint8_t number, uint8_t value) {
@@ -90,10 +90,17 @@ int main(void) {
   TCCR1B = 1 << WGM12 | 1 << CS11 | 1 << CS10;
   TIMSK1 = 1 << OCIE1A;
   set_sleep_mode(SLEEP_MODE_IDLE);
-  sei();
+  sleep_enable();
   for (;;) {
-    while (!tick) sleep_mode();
+    /* sei takes effect after sleep, so that no tick is missed in between. */
+    cli();
+    while (!tick) {
+      sei();
+      sleep_cpu();
+      cli();
+    }
     tick = 0;
+    sei();
     PORTC |= 1 << 5;
     board_scan();
     PORTC &= (uint8_t)~(1 << 5);

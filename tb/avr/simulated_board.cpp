@@ -2,6 +2,7 @@
 #include "avr/simulated_board.hpp"
 
 #include <avr_adc.h>
+#include <avr_extint.h>
 #include <avr_ioport.h>
 #include <avr_uart.h>
 #include <sim_avr.h>
@@ -12,12 +13,15 @@
 namespace rung::tb {
 namespace {
 
-constexpr int kInputs = 5;
+constexpr int kInputs = 4;
+constexpr int kFirstInputPin = 4;  // of port D
 // Of the ATmega328P, as the program sees them.
 constexpr int kPortB = 0x25;
 constexpr int kOcr2B = 0xB4;
 constexpr int kScanPin = 5;              // of port C
 constexpr std::uint32_t kSupply = 5115;  // mV: 5 to each step of the converter
+// Steps in which time goes by while the processor sleeps; short beside a scan.
+constexpr std::uint64_t kMostCyclesAtOnce = 1000;
 constexpr std::uint64_t kMostCycles = 50'000'000;
 
 void no_messages(avr_t*, const int, const char*, va_list) {}
@@ -38,6 +42,9 @@ SimulatedBoard::SimulatedBoard(const std::string& firmware) {
   elf.vcc = elf.avcc = elf.aref = kSupply;
   avr_load_firmware(avr_, &elf);
   avr_->sleep = no_sleep;
+  // PD3 is an external interrupt too, whose low level the simulator would look for in each cycle.
+  avr_extint_set_strict_lvl_trig(avr_, 1, 0);
+  avr_->run_cycle_limit = kMostCyclesAtOnce;
   std::uint32_t flags = 0;
   avr_ioctl(avr_, AVR_IOCTL_UART_SET_FLAGS('0'), &flags);
   avr_irq_register_notify(avr_io_getirq(avr_, AVR_IOCTL_IOPORT_GETIRQ('C'), kScanPin), on_scan,
@@ -51,8 +58,8 @@ SimulatedBoard::~SimulatedBoard() {
 }
 
 void SimulatedBoard::input(int number, bool value) {
-  const int pin = number == 0 ? 2 : number + 3;
-  avr_raise_irq(avr_io_getirq(avr_, AVR_IOCTL_IOPORT_GETIRQ('D'), pin), value ? 1 : 0);
+  avr_raise_irq(avr_io_getirq(avr_, AVR_IOCTL_IOPORT_GETIRQ('D'), kFirstInputPin + number),
+                value ? 1 : 0);
 }
 
 void SimulatedBoard::sample(int channel, int value) {

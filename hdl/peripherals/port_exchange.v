@@ -179,6 +179,7 @@ module port_exchange #(
   reg rx_full_q;
   reg rx_newer_q;  // the waiting byte is not the one that the program found
   reg rx_lost_q;
+  reg rx_lost_too_q;
   reg [7:0] rx_data_q;
   reg found_rx_q;
   reg found_tx_q;
@@ -189,6 +190,9 @@ module port_exchange #(
   wire rx_left = last_answer && found_rx_q && kept_rx_q;
   // The program has found the waiting byte, and whether it takes it is not known yet.
   wire rx_open = idle ? scan_i && has_rx : found_rx_q && !rx_newer_q;
+
+  wire lost_waiting = rx_valid_i && rx_full_q && !rx_open;
+  wire lost_left = rx_left && (rx_newer_q || rx_valid_i);
 
   always @(posedge clk_i) begin
     if (idle) begin
@@ -204,7 +208,8 @@ module port_exchange #(
     if (!rst_ni) begin
       rx_full_q  <= 1'b0;
       rx_newer_q <= 1'b0;
-      rx_lost_q  <= 1'b0;
+      rx_lost_q <= 1'b0;
+      rx_lost_too_q <= 1'b0;
     end else begin
       if (rx_valid_i) rx_full_q <= 1'b1;
       else if (rx_taken && !rx_newer_q) rx_full_q <= 1'b0;
@@ -212,7 +217,9 @@ module port_exchange #(
       if (rx_valid_i) rx_newer_q <= 1'b1;
       else if (idle) rx_newer_q <= 1'b0;
 
-      rx_lost_q <= (rx_valid_i && rx_full_q && !rx_open) || (rx_left && (rx_newer_q || rx_valid_i));
+      // Two may be lost at once: the one that the program has left and the one that came after it.
+      rx_lost_q <= lost_waiting || lost_left || rx_lost_too_q;
+      rx_lost_too_q <= lost_waiting && lost_left;
     end
   end
 

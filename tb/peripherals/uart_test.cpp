@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The UART's transmitter and receiver against lines that the test makes and measures clock by clock.
+// The UART's transmitter and receiver against lines that the test makes and measures clock by
+// clock.
 #include <gtest/gtest.h>
 
 #include <algorithm>

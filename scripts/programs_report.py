@@ -3,9 +3,9 @@
 """Write reports/programs.md: which real programs run, why the others are refused, and what
 instructions beyond contacts and coils cost.
 
-The programs are in ../shared/programs/melsec, which is not part of the project; without them there
-is nothing to report. Every program that is taken runs 1,000 scans under random inputs on each
-processor, beside the reference, and as C.
+The programs are in ../shared/programs, which is not part of the project; without them there is
+nothing to report. Every list that is taken runs 1,000 scans under random inputs on each processor,
+beside the reference, and as C; an LDmicro program runs beside its trace (ldmicro_report.py).
 """
 from __future__ import annotations
 
@@ -13,27 +13,20 @@ import datetime
 import json
 import random
 import re
-import subprocess
 import sys
 import time
 from pathlib import Path
 
+import ldmicro_report
 from instruction_costs import (COIL, COPIES, COSTS, FEW_COPIES, TIMER, WITHOUT, copies,
                                large_program)
+from rung_program import (BUILD, MPUS, PROGRAMS, ROOT, compiled, first_error, processor, rung,
+                          steps_and_clocks)
 
-ROOT = Path(__file__).resolve().parent.parent
-RUNG = ROOT / "build" / "bin" / "rung"
-CORPUS = ROOT.parent / "shared" / "programs" / "melsec"
-BUILD = ROOT / "build"
+CORPUS = PROGRAMS / "melsec"
 SCANS = 1000
 SEED = 2013
 LARGE = 20000  # instructions
-MPUS = ("1", "2", "3")
-
-
-def rung(*arguments: str, text: str | None = None) -> subprocess.CompletedProcess[str]:
-    return subprocess.run([str(RUNG), *arguments], input=text, capture_output=True, text=True,
-                          check=False)
 
 
 def write_stimulus(program: Path, file: Path) -> None:
@@ -75,13 +68,10 @@ class Timers:
 
 
 def program_row(program: Path) -> str:
-    compiled = rung("compile", str(program), "--json")
-    if compiled.returncode == 1:
-        errors = re.findall(r"^.*?:(\d+):\d+: error: (.*)$", compiled.stderr, re.MULTILINE)
-        line, why = errors[0]
-        more = f"; and {len(errors) - 1} more" if len(errors) > 1 else ""
-        return f"| {program.name} | refused | line {line}: {why}{more} | | | |"
-    counts = json.loads(compiled.stdout)
+    result = rung("compile", str(program), "--json")
+    if result.returncode == 1:
+        return f"| {program.name} | refused | {first_error(result.stderr)} | | | |"
+    counts = json.loads(result.stdout)
     stimulus = BUILD / "programs-report.stim"
     write_stimulus(program, stimulus)
     costs = []
@@ -89,21 +79,12 @@ def program_row(program: Path) -> str:
         run = rung("run", str(program), "--mpu", mpu, "--stimulus", str(stimulus))
         if run.returncode != 0:
             sys.exit(f"{program.name} on MPU{mpu}:\n{run.stderr}")
-        result = json.loads(rung("compile", str(program), "--mpu", mpu, "--json").stdout)
-        costs.append(f"{result['steps']} / {result['clocks']}")
+        size = json.loads(rung("compile", str(program), "--mpu", mpu, "--json").stdout)
+        costs.append(f"{size['steps']} / {size['clocks']}")
         if mpu == "2":
-            Timers.add(program, result["steps"])
+            Timers.add(program, size["steps"])
     return (f"| {program.name} | runs | {counts['instructions']} instructions, dialect "
             f"{counts['dialect']} | {' | '.join(costs)} |")
-
-
-def compiled(text: str, mpu: str) -> tuple[int, int]:
-    """Steps and clocks of a list."""
-    result = rung("compile", "-", "--mpu", mpu, "--json", text=text)
-    if result.returncode != 0:
-        sys.exit(result.stderr)
-    counts = json.loads(result.stdout)
-    return counts["steps"], counts["clocks"]
 
 
 def cost(template: str, base: str, mpu: str, count: int) -> str:
@@ -111,17 +92,11 @@ def cost(template: str, base: str, mpu: str, count: int) -> str:
     with_it = compiled(copies(template, count), mpu)
     without = compiled(copies(base, count), mpu)
     steps, clocks = ((a - b) / count for a, b in zip(with_it, without))
-    return f"{steps:.1f}" if abs(steps - clocks) < 0.05 else f"{steps:.1f} ({clocks:.1f})"
+    return steps_and_clocks(steps, clocks)
 
 
 def cost_row(name: str, template: str, base: str, count: int) -> str:
     return f"| {name} | " + " | ".join(cost(template, base, mpu, count) for mpu in MPUS) + " |"
-
-
-def processor() -> str:
-    """What this machine calls its processor."""
-    found = re.search(r"model name\s*: (.*)", Path("/proc/cpuinfo").read_text())
-    return found.group(1) if found else "unknown"
 
 
 def compile_times() -> list[str]:
@@ -140,8 +115,8 @@ def compile_times() -> list[str]:
 
 
 def main() -> int:
-    if not CORPUS.is_dir():
-        print("skipped: no corpus (../shared/programs/melsec)")
+    if not CORPUS.is_dir() or not ldmicro_report.CORPUS.is_dir():
+        print("skipped: no corpus (../shared/programs/melsec, ../shared/programs/ldmicro)")
         return 0
     programs = sorted(p for p in CORPUS.iterdir() if p.suffix in (".lst", ".esc", ".txt", ".csv"))
     rows = [program_row(program) for program in programs]
@@ -169,6 +144,7 @@ def main() -> int:
         "the index register were added because of these differences.", "", Timers.sentence(), "",
         "| | MPU1 | MPU2 | MPU3 |", "|---|---|---|---|",
         *(cost_row(*entry, FEW_COPIES) for entry in WITHOUT), "",
+        *ldmicro_report.sections(),
         "## Compile time", "",
         f"A generated program of {LARGE} instructions (scripts/instruction_costs.py, seed {SEED}), all "
         f"passes and their checks included, best of five on this machine ({processor()}).", "",

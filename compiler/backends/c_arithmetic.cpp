@@ -35,7 +35,7 @@ void divide(CUnit& unit, const Instruction& instruction, const COperands& operan
   const bool wide = instruction.width == 32;
   unit.body.open("if (b == 0) {{");
   unit.body.line("@.divided = 1;");
-  unit.body.line("{}();", unit.helpers.use(CHelper::Fault));
+  if (!unit.is_ldmicro()) unit.body.line("{}();", unit.helpers.use(CHelper::Fault));
   unit.body.otherwise();
   const std::string quotient = wide ? "(uint32_t)((int64_t)a / b)" : "(uint32_t)(a / b)";
   const std::string rest = wide ? "(uint32_t)((int64_t)a % b)" : "(uint32_t)(a % b)";

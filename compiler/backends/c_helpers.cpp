@@ -152,6 +152,77 @@ static void @_double_counter(uint8_t *contact, int16_t *low, int16_t *high, uint
   *high = @_word(value >> 16);
 })",
      CHelper::Word},
+    {CHelper::Rise, "rise",
+     R"(/* Whether s goes on; *edge is what it was before. */
+static unsigned @_rise(uint8_t *edge, unsigned s) {
+  const unsigned rises = s & (*edge ^ 1u);
+  *edge = (uint8_t)s;
+  return rises;
+})"},
+    {CHelper::Ton, "ton",
+     R"(/* TON: counts the scans with s up to count, then the output is on. */
+static unsigned @_ton(int16_t *value, unsigned s, int16_t count) {
+  if (s && *value >= count) return 1;
+  *value = (int16_t)(s ? *value + 1 : 0);
+  return 0;
+})"},
+    {CHelper::Tof, "tof",
+     R"(/* TOF: counts the scans without s up to count, then the output is off. */
+static unsigned @_tof(int16_t *value, unsigned s, int16_t count) {
+  if (!s && *value >= count) return 0;
+  *value = (int16_t)(s ? 0 : *value + 1);
+  return 1;
+})"},
+    {CHelper::Rto, "rto",
+     R"(/* RTO: counts the scans with s up to count, then the output is on until the next RES. */
+static unsigned @_rto(int16_t *value, unsigned s, int16_t count) {
+  if (*value >= count) return 1;
+  if (s) ++*value;
+  return 0;
+})"},
+    {CHelper::LookUp, "look_up",
+     R"(/* LOOK UP TABLE: row number `index`; target where there is none. */
+static int16_t @_look_up(const int16_t *rows, uint16_t count, int16_t index, int16_t target) {
+  return index >= 0 && (uint16_t)index < count ? rows[index] : target;
+})"},
+    {CHelper::LookUpOwn, "look_up_own",
+     R"(/* LOOK UP TABLE whose target is its index: a later row may match what an earlier one gave. */
+static int16_t @_look_up_own(const int16_t *rows, uint16_t count, int16_t index) {
+  int16_t row = -1;
+  while (index > row && (uint16_t)index < count) {
+    row = index;
+    index = rows[row];
+  }
+  return index;
+})"},
+    {CHelper::Piecewise, "piecewise",
+     R"(/* PIECEWISE LINEAR through `count` points x, y: the new value of target; own: it is the index.
+ * All steps are of 16 bits. */
+static int16_t @_piecewise(const int16_t *points, uint16_t count, int16_t index, int16_t target,
+                           int own) {
+  const int16_t *p = points + 2 * count;
+  while (p > points + 2) {
+    p -= 2;
+    if (index < @_word((uint32_t)p[0] + 1u)) {
+      const int16_t x = @_word((uint32_t)index - (uint32_t)p[-2]);
+      const int16_t width = @_word((uint32_t)p[0] - (uint32_t)p[-2]);
+      const int16_t height = @_word((uint32_t)p[1] - (uint32_t)p[-1]);
+      const int32_t area = @_word((uint32_t)((int32_t)x * height));
+      target = @_word((uint32_t)(area / width) + (uint32_t)p[-1]);
+      if (own) index = target;
+    }
+  }
+  return target;
+})",
+     CHelper::Word},
+    {CHelper::Digit, "digit",
+     R"(/* The next digit of *kept as a character; a 0 before the first other one is a blank. */
+static uint8_t @_digit(int16_t *kept, uint8_t *seen, int16_t power, unsigned last) {
+  const int16_t digit = (int16_t)(*kept / power);
+  *kept = (int16_t)(*kept % power);
+  if (digit != 0) *seen = 1;
+  return (uint8_t)(*seen || last ? 48u + (uint16_t)digit : 32u);
+})"},
     {CHelper::Fault, "fault", ""},
 };
 

@@ -29,6 +29,14 @@ enum class CHelper : std::uint8_t {
   Timer,          // void timer(contact, value, state, cond, preset, ticks, retentive)
   Counter,        // void counter(contact, value, state, cond, preset)
   DoubleCounter,  // void double_counter(contact, low, high, state, cond, preset, down)
+  Rise,           // unsigned rise(uint8_t *edge, unsigned s): whether s goes on
+  Ton,            // unsigned ton(int16_t *value, unsigned s, int16_t count)
+  Tof,            // unsigned tof(int16_t *value, unsigned s, int16_t count)
+  Rto,            // unsigned rto(int16_t *value, unsigned s, int16_t count)
+  LookUp,         // int16_t look_up(rows, count, index, target): the target's new value
+  LookUpOwn,      // int16_t look_up_own(rows, count, index): the same where the target is the index
+  Piecewise,      // int16_t piecewise(points, count, index, target, own)
+  Digit,          // uint8_t digit(int16_t *kept, uint8_t *seen, int16_t power, unsigned last)
   Fault,          // void fault(void): error relays
 };
 

@@ -36,6 +36,12 @@ bool write_rotates(CUnit& unit, const Instruction& instruction, const CCondition
 bool write_shifts(CUnit& unit, const Instruction& instruction, const CCondition& condition);
 bool write_blocks(CUnit& unit, const Instruction& instruction, const CCondition& condition);
 
+// Elements of an LDmicro program with variables; `s` is the variable of the condition, which they
+// change.
+bool write_counts(CUnit& unit, const Instruction& instruction, const std::string& s);
+bool write_tables(CUnit& unit, const Instruction& instruction, const std::string& s);
+bool write_peripherals(CUnit& unit, const Instruction& instruction, const std::string& s);
+
 // A line that puts `value` into the special relays of this role that the program names.
 void write_flag(CUnit& unit, SpecialRole role, std::string_view value);
 

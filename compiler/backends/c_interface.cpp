@@ -3,7 +3,9 @@
 
 #include <algorithm>
 
+#include "backends/c_hooks.hpp"
 #include "rungs/devices.hpp"
+#include "rungs/ports.hpp"
 
 namespace rung {
 namespace {
@@ -11,6 +13,7 @@ namespace {
 // Kinds that have access functions: those of every program, and those that this one names.
 std::vector<DeviceKind> access_kinds(const CUnit& unit) {
   std::vector<DeviceKind> kinds;
+  if (unit.is_ldmicro()) return kinds;
   for (int i = 0; i < kDeviceKinds; ++i) {
     const auto kind = static_cast<DeviceKind>(i);
     const bool always = kind == DeviceKind::X || kind == DeviceKind::Y || kind == DeviceKind::M ||
@@ -46,10 +49,12 @@ std::vector<const SpecialRange*> clocks(const CUnit& unit) {
 
 void head_comment(const CUnit& unit, CSource& source) {
   const Program& program = unit.program;
-  source.comment(fmt::format("/* {}, dialect {}, as C99: {} networks, {} instructions.",
+  source.comment(fmt::format("/* {}, dialect {}, as C99: {} {}, {} instructions.",
                              comment_text(program.file), dialect_name(program.dialect),
-                             program.networks.size(), program.instructions.size()));
+                             program.networks.size(), unit.is_ldmicro() ? "rungs" : "networks",
+                             count(program).instructions));
   if (unit.options.bare) return source.comment(" */");
+  if (unit.is_ldmicro()) return write_hooks_manual(unit, source);
   source.code(R"( *
  * Before a scan give the inputs with $WriteX, then call $Cycle, then read the outputs with
  * $ReadY: nothing is to be put out while it runs. Timers and clock relays go by the time between
@@ -120,10 +125,18 @@ void access_by_number(const CUnit& unit, DeviceKind kind, CSource& source) {
 
 // A row for each device that a name leads to.
 void table_rows(const CUnit& unit, CSource& source) {
-  for (const Device device : unit.layout.reachable()) {
+  const auto row = [&](const std::string& name, Device device) {
     const std::string place = "&" + unit.layout.place(device);
-    source.line("{{\"{}\", {}, {}}},", device_name(device, unit.program.dialect),
-                is_word(device) ? "0" : place, is_word(device) ? place : "0");
+    source.line("{{\"{}\", {}, {}}},", name, is_word(device) ? "0" : place,
+                is_word(device) ? place : "0");
+  };
+  for (const Device device : unit.layout.reachable()) {
+    row(device_name(device, unit.program), device);
+  }
+  if (!unit.hooks()) {
+    for (const Device port : unit.layout.ports()) {
+      row(device_name(port, unit.program.dialect), port);
+    }
   }
   source.line("{{0, 0, 0}}");
 }
@@ -188,8 +201,11 @@ void prototypes(const CUnit& unit, CSource& source) {
   source.line(
       "void $Reset(void);  /* as at the start: all devices 0, the next scan is the first */");
   source.line("void $Cycle(void);  /* one scan */");
-  source.line("void $Elapsed(uint32_t microseconds);  /* from scan to scan; 10000 unless told */");
+  if (!unit.is_ldmicro())
+    source.line(
+        "void $Elapsed(uint32_t microseconds);  /* from scan to scan; 10000 unless told */");
   source.line("uint8_t $Error(void);  /* 1: the last cycle divided by zero; that wrote nothing */");
+  if (unit.is_ldmicro()) write_hooks_prototypes(unit, source);
   for (const DeviceKind kind : access_kinds(unit)) {
     source.line("{} $Read{}(uint32_t number);", CLayout::type(kind), CLayout::array(kind));
     source.line("void $Write{}(uint32_t number, {} value);", CLayout::array(kind),
@@ -206,8 +222,10 @@ void prototypes(const CUnit& unit, CSource& source) {
 void variables(const CUnit& unit, CSource& source) {
   comments(unit, source);
   source.open("static struct {{");
-  source.line("uint32_t elapsed;");
-  source.line("uint8_t running; /* a scan was executed since the reset */");
+  if (!unit.is_ldmicro()) source.line("uint32_t elapsed;");
+  if (unit.knows_first_scan()) {
+    source.line("uint8_t running; /* a scan was executed since the reset */");
+  }
   source.line("uint8_t divided; /* by zero, in this scan */");
   for (const DeviceKind kind : access_kinds(unit)) {
     const std::uint32_t size = unit.layout.size(kind);
@@ -236,7 +254,8 @@ void variables(const CUnit& unit, CSource& source) {
   for (const SpecialRange* const clock : clocks(unit)) {
     source.line("uint32_t {};", time_name("clock", clock->period_us));
   }
-  source.close("} @ = {.elapsed = 10000u};");
+  if (unit.is_ldmicro()) write_named_variables(unit, source);
+  source.close(unit.is_ldmicro() ? "} @;" : "} @ = {.elapsed = 10000u};");
   source.blank();
 }
 
@@ -261,17 +280,22 @@ void write_accessors(const CUnit& unit, CSource& source) {
     bare_table(unit, source);
   } else {
     for (const DeviceKind kind : access_kinds(unit)) access_by_number(unit, kind, source);
+    if (unit.is_ldmicro()) write_named_access(unit, source);
     if (unit.options.table) access_by_name(unit, source);
     source.line("uint8_t $Error(void) {{ return @.divided; }}\n");
   }
-  source.line("{}void $Elapsed(uint32_t microseconds) {{ @.elapsed = microseconds; }}\n", linkage);
+  const bool keeps_time = !unit.is_ldmicro();
+  if (keeps_time) {
+    source.line("{}void $Elapsed(uint32_t microseconds) {{ @.elapsed = microseconds; }}\n",
+                linkage);
+  }
   source.open("{}void $Reset(void) {{", linkage);
   source.code(R"(/* volatile: a compiler must not make this loop a call of a library's memset. */
-volatile unsigned char *const byte = (volatile unsigned char *)&@;
-const uint32_t elapsed = @.elapsed;
-uint32_t i;
-for (i = 0; i < sizeof @; ++i) byte[i] = 0;
-@.elapsed = elapsed;)");
+volatile unsigned char *const byte = (volatile unsigned char *)&@;)");
+  if (keeps_time) source.line("const uint32_t elapsed = @.elapsed;");
+  source.line("uint32_t i;");
+  source.line("for (i = 0; i < sizeof @; ++i) byte[i] = 0;");
+  if (keeps_time) source.line("@.elapsed = elapsed;");
   source.close();
   source.blank();
 }
@@ -279,7 +303,12 @@ for (i = 0; i < sizeof @; ++i) byte[i] = 0;
 void write_scan_start(CUnit& unit) {
   CSource& source = unit.body;
   const Dialect dialect = unit.program.dialect;
+  if (unit.hooks()) {
+    if (unit.layout.has_port(port::uart_tx_ready)) source.line("unsigned tx_ready;");
+    if (unit.layout.has_port(port::persist_ready)) source.line("unsigned persist_ready;");
+  }
   source.line("@.divided = 0;");
+  if (unit.hooks()) write_hooks_before(unit, source);
   for (const Device timer : unit.timers) {
     source.line("@.{}_state[{}] &= 1u;", CLayout::array(timer.kind), unit.layout.number(timer));
   }
@@ -311,7 +340,12 @@ void write_scan_start(CUnit& unit) {
                   time_name("clock", clock->period_us), clock->period_us / 2);
     }
   }
-  source.line("@.running = 1;");
+  if (!unit.is_ldmicro()) source.line("@.running = 1;");
+}
+
+void write_scan_end(CUnit& unit) {
+  if (unit.is_ldmicro() && unit.knows_first_scan()) unit.body.line("@.running = 1;");
+  if (unit.hooks()) write_hooks_after(unit, unit.body);
 }
 
 void write_fault(const CUnit& unit, CSource& source) {

@@ -12,8 +12,9 @@ namespace rung {
 void write_declarations(const CUnit& unit, CSource& source);
 // The functions that know the devices: reset, access by number and by name; or the bare table.
 void write_accessors(const CUnit& unit, CSource& source);
-// At the beginning of a scan, to the body: time, special relays.
+// At the beginning and the end of a scan, to the body: time, special relays, hooks.
 void write_scan_start(CUnit& unit);
+void write_scan_end(CUnit& unit);
 // The helper that sets the error relays.
 void write_fault(const CUnit& unit, CSource& source);
 

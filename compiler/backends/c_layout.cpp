@@ -6,18 +6,63 @@
 #include <algorithm>
 
 #include "rungs/devices.hpp"
+#include "rungs/ports.hpp"
 
 namespace rung {
+namespace {
+
+struct PortName {
+  Device first;
+  int count;
+  std::string_view name;
+};
+#define RUNG_PORT(name, kind, number, count) {{DeviceKind::kind, number}, count, #name},
+constexpr PortName kPortNames[] = {
+#include "ports.inc"
+};
+
+std::vector<Device> used_ports(const Program& program) {
+  std::set<Device> ports;
+  for (const Instruction& instruction : program.instructions) {
+    switch (instruction.op) {
+      case Op::ReadAdc:
+        ports.insert(port::at(port::adc, instruction.operand(1).value));
+        break;
+      case Op::SetPwm:
+        ports.insert({port::pwm_duty, port::pwm_hz_low, port::pwm_hz_high});
+        break;
+      case Op::Persist:
+        ports.insert({port::persist_ready, port::persist_index,
+                      port::at(port::persist_value, instruction.operand(1).value)});
+        break;
+      case Op::UartSend:
+      case Op::FormattedString:
+        ports.insert({port::uart_tx_ready, port::uart_tx_data});
+        break;
+      case Op::UartRecv:
+        ports.insert({port::uart_rx_full, port::uart_rx_data});
+        break;
+      default:
+        break;
+    }
+  }
+  return {ports.begin(), ports.end()};
+}
+
+}  // namespace
 
 CLayout::CLayout(const Program& program)
-    : dialect_(program.dialect),
+    : program_(program),
+      dialect_(program.dialect),
       devices_(named_devices(program)),
+      ports_(used_ports(program)),
       named_(devices_.begin(), devices_.end()),
       windows_(index_windows(program)) {
   const auto reach = [&](DeviceKind kind, std::uint32_t last) {
     std::uint32_t& size = sizes_[static_cast<std::size_t>(kind)];
     size = std::max(size, last + 1);
   };
+  if (dialect_ == Dialect::Ldmicro) return;
   for (const Device device : devices_) {
     if (!special(device)) reach(device.kind, device.number);
   }
@@ -33,6 +78,30 @@ std::vector<Device> CLayout::reachable() const {
 }
 
 bool CLayout::special(Device device) const { return find_special(device, dialect_) != nullptr; }
+
+bool CLayout::has_port(Device port) const {
+  return std::binary_search(ports_.begin(), ports_.end(), port);
+}
+
+int CLayout::ports_from(Device first, int count) const {
+  while (count > 0 && !has_port(port::at(first, count - 1))) --count;
+  return count;
+}
+
+std::string CLayout::name(Device device) const {
+  const std::string name = device_name(device, program_);
+  return name.substr(0, name.find(':'));
+}
+
+std::string CLayout::port_place(Device port) const {
+  const auto found =
+      std::find_if(std::begin(kPortNames), std::end(kPortNames), [&](const PortName& each) {
+        return each.first.kind == port.kind && port.number >= each.first.number &&
+               port.number < each.first.number + static_cast<std::uint32_t>(each.count);
+      });
+  if (found->count == 1) return fmt::format("@.{}", found->name);
+  return fmt::format("@.{}[{}]", found->name, port.number - found->first.number);
+}
 
 std::string CLayout::array(DeviceKind kind) {
   return kind == DeviceKind::CNH ? "CNH" : std::string(kind_letters(kind));
@@ -51,6 +120,10 @@ std::string CLayout::number(Device device) const {
 }
 
 std::string CLayout::place(Device device) const {
+  if (is_port(device.kind)) return port_place(device);
+  if (dialect_ == Dialect::Ldmicro) {
+    return fmt::format("@.{}_{}", is_word(device) ? 'w' : 'b', name(device));
+  }
   if (special(device)) return fmt::format("@.{}{}", array(device.kind), device.number);
   return fmt::format("@.{}[{}]", array(device.kind), number(device));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the devices of a program are kept in its C: special relays as variables of their own, all
-// others in one array for each kind, by their numbers.
+// Where the devices of a program are kept in its C. A list's: special relays as variables of their
+// own, all others in one array for each kind, by their numbers. An LDmicro program's: each as a
+// variable with its name, b_Xdoor or w_count, so that no name of a program is anything else in C.
 #pragma once
 
 #include <array>
@@ -20,6 +21,13 @@ class CLayout {
   explicit CLayout(const Program& program);
 
   const std::vector<Device>& devices() const { return devices_; }
+  // The device ports that the program uses, ascending.
+  const std::vector<Device>& ports() const { return ports_; }
+  bool has_port(Device port) const;
+  // How many ports it uses of those that follow each other from `first` on.
+  int ports_from(Device first, int count) const;
+  // An LDmicro program's name of a device, which a bit and a variable may share.
+  std::string name(Device device) const;
   // These and all that an index register may reach.
   std::vector<Device> reachable() const;
   bool names(Device device) const { return named_.contains(device); }
@@ -41,8 +49,12 @@ class CLayout {
   std::vector<Device> of_role(SpecialRole role) const;
 
  private:
+  std::string port_place(Device port) const;
+
+  const Program& program_;
   Dialect dialect_;
   std::vector<Device> devices_;
+  std::vector<Device> ports_;
   std::set<Device> named_;
   std::vector<IndexWindow> windows_;
   std::array<std::uint32_t, kDeviceKinds> sizes_{};

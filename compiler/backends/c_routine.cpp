@@ -52,6 +52,7 @@ std::string CRoutine::name(const CUnit& unit, std::size_t label) {
 void CRoutine::write() {
   CSource declarations = unit_.body.empty_copy();
   std::swap(declarations, unit_.body);
+  begin_rungs();
   for (std::size_t i = range_.first; i < range_.end; ++i) {
     if (ends_state(i)) close_state();
     source_comment(i);
@@ -83,8 +84,9 @@ void CRoutine::source_comment(std::size_t index) {
       [](const Network& network, std::size_t wanted) { return network.first < wanted; });
   if (found == networks.end() || found->first != index || found->count == 0) return;
   unit_.body.blank();
-  unit_.body.comment(
-      fmt::format("/* Network {}, by the lines of its source", found - networks.begin() + 1));
+  unit_.body.comment(fmt::format("/* {} {}, by the lines of its source",
+                                 unit_.is_ldmicro() ? "Rung" : "Network",
+                                 found - networks.begin() + 1));
   for (std::size_t i = index; i < index + found->count; ++i) {
     const Instruction& instruction = unit_.program.instructions[i];
     std::string line =
@@ -126,7 +128,7 @@ std::string CRoutine::power() {
 void CRoutine::instruction(const Instruction& instruction) {
   if (instruction.op == Op::Nop) return;
   if (is_contact(instruction.op)) return contact(instruction);
-  if (block(instruction) || flow(instruction)) return;
+  if (block(instruction) || flow(instruction) || element(instruction)) return;
   output(instruction);
   at_start_ = true;
 }

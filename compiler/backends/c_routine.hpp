@@ -33,6 +33,8 @@ class CRoutine {
  private:
   void instruction(const Instruction& instruction);
   void contact(const Instruction& instruction);
+  void begin_rungs();
+  bool element(const Instruction& instruction);
   bool block(const Instruction& instruction);
   void state(std::size_t index);
   bool ends_state(std::size_t index) const;
@@ -54,6 +56,7 @@ class CRoutine {
   std::map<std::string, bool> locals_;
   int blocks_ = 0;              // open LDs: r0, r1, ...
   int branches_ = 0;            // open MPSs: s0, s1, ...
+  int parallels_ = 0;           // open ones: in0 any0, in1 any1, ...
   int loops_ = 0;               // open FORs: k0, k1, ...
   bool at_start_ = true;        // an LD begins a network
   std::vector<int> levels_;     // of the open MC zones, in their order

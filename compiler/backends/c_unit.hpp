@@ -40,6 +40,12 @@ struct CUnit {
   std::set<Device> timers;            // contacts of timers that have an OUT
   // Kinds of contacts whose timers or counters need a state.
   std::set<DeviceKind> stateful;
+  int strings = 0;       // FORMATTED_STRINGs, each of which has memories
+  bool has_tof = false;  // which asks whether it is the first scan
+
+  bool is_ldmicro() const { return program.dialect == Dialect::Ldmicro; }
+  bool hooks() const { return is_ldmicro() && options.hooks && !options.bare; }
+  bool knows_first_scan() const { return !is_ldmicro() || has_tof; }
 
   std::string edge(const Instruction& instruction) {
     const auto index = static_cast<std::size_t>(&instruction - program.instructions.data());

@@ -58,6 +58,7 @@ std::string write_c(const Program& program, const COptions& options) {
   unit.body.open("{}void $Cycle(void) {{", options.bare ? "static " : "");
   write_scan_start(unit);
   unit.body.line("@_scan();");
+  write_scan_end(unit);
   unit.body.close();
 
   CSource source(options.prefix);

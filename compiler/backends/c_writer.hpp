@@ -14,18 +14,27 @@ struct COptions {
   std::string prefix = "Plc";
   // Adds access by name: int PlcSet("D10", value), long PlcGet("D10").
   bool table = false;
+  // An LDmicro program meets its inputs, outputs and peripherals through functions that its user
+  // writes. Without them the caller does what a controller does to the devices and to the device
+  // ports, which the table then has too, by the names of device_name(port, dialect).
+  bool hooks = true;
   // For very many programs in one file, which a compiler then reads in half the time: functions are
   // static, there is no access but by the array PlcDevices (struct plc_device: name, bit or word; a
-  // name of 0 ends it), and small functions that do the same in all programs stand there once.
+  // name of 0 ends it), and small functions that do the same in all programs stand there once. No
+  // hooks.
   bool bare = false;
 };
 
 // One C99 file, freestanding (it includes stdint.h only), with
-//   void PlcCycle(void);    one scan: inputs in, outputs as the program leaves them
+//   void PlcCycle(void);    one scan
 //   void PlcReset(void);    all devices 0, the next scan is the first
+//   uint8_t PlcError(void); 1 if the last cycle divided by zero
+// and how else it is used in its head comment; compiler/backends/README.md has examples. A list has
 //   void PlcElapsed(uint32_t microseconds);    the time from one scan to the next
 //   PlcReadX/Y/M/D/..., PlcWriteX/Y/M/D/...    a device by its number: 8 for Y10 of an octal
-//   dialect uint8_t PlcError(void); 1 if the last cycle divided by zero
+//   dialect; to be called before and after PlcCycle
+// An LDmicro program has PlcReadBit_NAME, PlcWriteWord_NAME, ..., and calls the functions
+// PlcInput_NAME, PlcOutput_NAME, PlcUartSend, ... which its user writes.
 // Each network begins with its source. Signed arithmetic is done so that no compiler finds
 // undefined behaviour in it.
 std::string write_c(const Program& program, const COptions& options);

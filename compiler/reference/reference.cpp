@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "rungs/ports.hpp"
+
 namespace rung {
 namespace {
 
@@ -32,11 +34,17 @@ Reference::Reference(const Program& program, std::int64_t tick_us)
   borrow_ = named_of_role(SpecialRole::Borrow, program.dialect, named);
   carry_ = named_of_role(SpecialRole::Carry, program.dialect, named);
   for (const Network& network : program.networks) begins_network_.at(network.first) = true;
+  for (std::size_t i = 0; i < program.instructions.size(); ++i) {
+    const Instruction& each = program.instructions[i];
+    if (each.op == Op::FormattedString) messages_[i].steps = string_steps(each.table);
+  }
 }
 
 void Reference::set(Device device, std::int16_t value) {
   if (device.number >= kDevicesOfAKind) return;
   if (!is_word(device)) value = value != 0 ? 1 : 0;
+  // A byte that arrives is one that waits.
+  if (device == port::uart_rx_data) set(port::uart_rx_full, 1);
   auto& devices = devices_[static_cast<std::size_t>(device.kind)];
   if (device.number >= devices.size()) devices.resize(device.number + 1);
   devices[device.number] = value;
@@ -67,6 +75,9 @@ void Reference::begin_scan() {
   loops_.clear();
   writes_.clear();
   error_ = false;
+  relay_ = true;
+  forks_.clear();
+  sent_.clear();
 }
 
 bool Reference::step() {
@@ -86,6 +97,7 @@ void Reference::execute(const Instruction& instruction) {
   if (op <= Op::OrCompare) return execute_contact(instruction);
   if (op <= Op::Mpp) return execute_block(op);
   if (op <= Op::Ret) return execute_zone(instruction);
+  if (op >= Op::Rung) return execute_element(instruction);
   if (op >= Op::Cj) return execute_flow(instruction);
   switch (op) {
     case Op::OutT:

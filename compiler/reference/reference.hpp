@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The golden model: executes the instructions of the source one after another, as a plain
-// sequential controller does, by compiler/SEMANTICS.md. It knows nothing of the compiler's later
-// steps or of the processors.
+// sequential controller does, by compiler/SEMANTICS.md and compiler/LDMICRO.md. It knows nothing of
+// the compiler's later steps or of the processors.
 #pragma once
 
 #include <array>
@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "rungs/footprint.hpp"
+#include "rungs/format_string.hpp"
 #include "rungs/program.hpp"
 #include "rungs/special.hpp"
 
@@ -33,7 +34,10 @@ class Reference {
   explicit Reference(const Program& program, std::int64_t tick_us = 10000);
 
   // Sets an input for the scans to come, or presets any other device. A bit takes 0 or not 0. What
-  // the controller drives (M8000, clocks) it drives again before each scan.
+  // the controller drives (M8000, clocks) it drives again before each scan. Of the device ports,
+  // port::adc holds the samples; setting port::uart_rx_data means that this byte arrives; and
+  // port::persist_ready, which no stimulus sets, makes the lasting memory ready until a program has
+  // given it something to keep.
   void set(Device device, std::int16_t value);
   std::int16_t get(Device device) const;
 
@@ -55,6 +59,8 @@ class Reference {
   const std::vector<ReferenceWrite>& writes() const { return writes_; }
   // Whether a division by zero was executed in this scan; it wrote nothing.
   bool error() const { return error_; }
+  // The bytes that the transmitter was given in this scan.
+  const std::vector<int>& sent() const { return sent_; }
 
  private:
   // A zone of MC.
@@ -81,6 +87,19 @@ class Reference {
     bool on = false;
     bool held = false;                // a counter's: its RST is driven
     std::int64_t executed_scan = -1;  // a timer's: of its last OUT
+  };
+
+  // LDmicro: the condition where branches part, and what those that have ended make of it.
+  struct Fork {
+    bool into;
+    bool any;
+  };
+  // A FORMATTED STRING on its way out.
+  struct Message {
+    std::vector<StringStep> steps;
+    std::size_t next = 0;
+    std::int16_t left = 0;     // of the number whose digits are being sent
+    bool significant = false;  // a digit that is not 0 has been sent
   };
 
   // Machine: reference.cpp.
@@ -151,6 +170,29 @@ class Reference {
   // Sets carry if the program names it.
   void set_carry(bool value);
 
+  // LDmicro's elements: ldmicro.cpp.
+  void execute_element(const Instruction& instruction);
+  void execute_frame(Op op);
+  // A variable, or a literal.
+  std::int16_t variable_of(const Operand& operand) const;
+  // True when the condition goes on; to be asked once each time.
+  bool rises();
+  // Timers, counters and shift registers: ldmicro_timers.cpp.
+  void execute_timer(const Instruction& instruction);
+  void execute_counter(const Instruction& instruction);
+  void shift_stages(const Instruction& instruction);
+  // Tables: ldmicro_tables.cpp.
+  void look_up(const Instruction& instruction);
+  void interpolate(const Instruction& instruction);
+  // Peripherals: ldmicro_peripherals.cpp.
+  void execute_peripheral(const Instruction& instruction);
+  void set_pwm(const Instruction& instruction);
+  void persist(const Instruction& instruction);
+  bool transmitter_free() const;
+  void transmit(int byte);
+  void send_string(const Instruction& instruction);
+  static int next_byte(Message& message, std::int16_t variable);
+
   const Program& program_;
   std::vector<IndexWindow> windows_;
   // Of these the ones that the program names; the others do not exist for it.
@@ -170,6 +212,13 @@ class Reference {
   std::vector<Loop> loops_;
   std::vector<ReferenceWrite> writes_;
   bool error_ = false;
+
+  // LDmicro.
+  bool relay_ = true;                        // of MASTER RELAY
+  std::vector<Fork> forks_;                  // the innermost last
+  std::map<std::size_t, Message> messages_;  // by instruction
+  std::optional<std::int64_t> sent_scan_;    // when the transmitter was given its last byte
+  std::vector<int> sent_;
 };
 
 }  // namespace rung

@@ -4,9 +4,13 @@
 namespace rung {
 
 ReferenceRun::ReferenceRun(const Program& program, bool with_state, std::int64_t tick_us)
-    : program_(program), tick_us_(tick_us), reference_(program, tick_us), recorder_(with_state) {
+    : program_(program),
+      names_(program),
+      tick_us_(program.ldmicro ? program.ldmicro->cycle_us : tick_us),
+      reference_(program, tick_us_),
+      recorder_(with_state) {
   for (const Device device : visible_devices(program)) {
-    devices_.push_back({device, device_name(device, program.dialect)});
+    devices_.push_back({device, names_.name(device)});
   }
 }
 
@@ -22,22 +26,18 @@ TraceHeader ReferenceRun::header() const {
 TraceScan ReferenceRun::scan(std::span<const StimulusEvent> events) {
   for (const StimulusEvent& event : events) {
     reference_.set(event.device, event.value);
-    const std::string name = device_name(event.device, program_.dialect);
-    if (is_input(event.device)) {
-      recorder_.input(name, event.value);
-    } else {
-      recorder_.preset(name, event.value);
-    }
+    recorder_.event(event, names_);
   }
   reference_.run_scan();
   for (const ReferenceWrite& write : reference_.writes()) {
-    recorder_.write(device_name(write.device, program_.dialect), write.value);
+    recorder_.write(names_.name(write.device), write.value);
   }
   for (const NamedDevice& each : devices_) {
     const std::int16_t value = reference_.get(each.device);
     if (each.device.kind == DeviceKind::Y) recorder_.output(each.name, value);
     recorder_.state(each.name, value);
   }
+  for (const int byte : reference_.sent()) recorder_.sent(byte);
   return recorder_.finish(std::nullopt);
 }
 

@@ -16,7 +16,8 @@ namespace rung {
 class ReferenceRun {
  public:
   // `with_state`: each scan of the trace has the values of all devices that the program names.
-  // `tick_us` is the time between two scans. `program` must outlive this.
+  // `tick_us` is the time between two scans; an LDmicro program has its own. `program` must outlive
+  // this.
   ReferenceRun(const Program& program, bool with_state, std::int64_t tick_us = 10000);
 
   // The first line of a trace of this run.
@@ -33,6 +34,7 @@ class ReferenceRun {
   };
 
   const Program& program_;
+  DeviceNames names_;
   std::int64_t tick_us_;
   Reference reference_;
   TraceRecorder recorder_;

@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "rungs/ports.hpp"
+#include "trace/stimulus.hpp"
 #include "trace/trace.hpp"
 
 namespace rung {
@@ -18,6 +20,16 @@ class TraceRecorder {
   // `with_state`: each scan has a state, even an empty one.
   explicit TraceRecorder(bool with_state) : with_state_(with_state) { begin(); }
 
+  // What the scan was given: an input, a preset, an analogue value or a received byte.
+  void event(const StimulusEvent& event, const DeviceNames& names) {
+    if (event.device == port::uart_rx_data) {
+      received(event.value);
+    } else if (is_input(event.device)) {
+      input(names.name(event.device), event.value);
+    } else {
+      preset(names.name(event.device), event.value);
+    }
+  }
   // The value that an input has in this scan; listed if it differs from the scan before.
   void input(const std::string& device, std::int32_t value) {
     if (changed(inputs_, device, value)) scan_.in.push_back({device, value});

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "rungs/devices.hpp"
+#include "rungs/ports.hpp"
 #include "rungs/special.hpp"
 
 namespace rung {
@@ -36,19 +37,18 @@ bool is_short_name(std::string_view name, Device device) {
          std::toupper(static_cast<unsigned char>(name[letters.size() - 1])) != last;
 }
 
-// The event of a device's name and value, or what is wrong with them.
-struct CheckedEvent {
-  std::optional<StimulusEvent> event;
-  std::string what;
-  std::string mend;
+// A device, or what is wrong with its name.
+struct CheckedDevice {
+  std::optional<Device> device;
+  std::string what = {};
+  std::string mend = {};
 };
 
-CheckedEvent check_event(std::string_view name, std::string_view value, Dialect dialect) {
+CheckedDevice check_list_device(std::string_view name, Dialect dialect) {
   const ParsedDevice parsed = parse_device(name, dialect);
   if (parsed.error == DeviceError::Special) {
     return {std::nullopt,
-            fmt::format("{} is a special device that this controller does not have", name),
-            {}};
+            fmt::format("{} is a special device that this controller does not have", name)};
   }
   if (parsed.error != DeviceError::None) {
     return {std::nullopt, fmt::format("{} is no device of dialect {}", name, dialect_name(dialect)),
@@ -66,10 +66,58 @@ CheckedEvent check_event(std::string_view name, std::string_view value, Dialect 
     return {std::nullopt, fmt::format("{} cannot be set: the controller drives it", name),
             "it follows from the scans and from --tick"};
   }
-  const bool word = is_word(device);
+  return {device};
+}
+
+bool same_letters(std::string_view left, std::string_view right) {
+  return std::equal(left.begin(), left.end(), right.begin(), right.end(), [](char a, char b) {
+    return std::toupper(static_cast<unsigned char>(a)) ==
+           std::toupper(static_cast<unsigned char>(b));
+  });
+}
+
+CheckedDevice unknown_name(std::string_view name, const DeviceNames& names) {
+  const auto& all = names.all();
+  const auto near = std::find_if(all.begin(), all.end(),
+                                 [&](const auto& each) { return same_letters(each.second, name); });
+  return {std::nullopt, fmt::format("the program has no {}", name),
+          near == all.end()
+              ? "a stimulus names the program's own inputs, relays, variables and channels"
+              : fmt::format("write {}: case matters", near->second)};
+}
+
+// What a stimulus means by a name that a program gives: of one that is both a bit and a variable
+// the input, else the variable.
+CheckedDevice check_own_device(std::string_view name, const DeviceNames& names) {
+  if (name == "RX") return {port::uart_rx_data};
+  const auto plain = names.device(name);
+  if (plain && is_input(*plain)) return {plain};
+  if (const auto channel = names.channel(name)) return {channel};
+  if (const auto variable = names.device(std::string(name) + ":w")) return {variable};
+  return plain ? CheckedDevice{plain} : unknown_name(name, names);
+}
+
+// The same of the `in` of a trace, where a name is what the trace calls the device.
+CheckedDevice check_trace_device(std::string_view name, const DeviceNames& names) {
+  if (const auto channel = names.channel(name)) return {channel};
+  const auto device = names.device(name);
+  return device ? CheckedDevice{device} : unknown_name(name, names);
+}
+
+// The event of a device and the text of its value, or what is wrong with them.
+struct CheckedEvent {
+  std::optional<StimulusEvent> event;
+  std::string what;
+  std::string mend;
+};
+
+CheckedEvent check_event(CheckedDevice checked, std::string_view name, std::string_view value) {
+  if (!checked.device) return {std::nullopt, std::move(checked.what), std::move(checked.mend)};
+  const Device device = *checked.device;
+  const bool byte = device == port::uart_rx_data;
   const std::optional<int> number = whole_number<int>(value);
-  const int least = word ? INT16_MIN : 0;
-  const int most = word ? INT16_MAX : 1;
+  const int least = is_word(device) && !byte ? INT16_MIN : 0;
+  const int most = byte ? UINT8_MAX : is_word(device) ? INT16_MAX : 1;
   if (!number || *number < least || *number > most) {
     return {
         std::nullopt,
@@ -81,8 +129,8 @@ CheckedEvent check_event(std::string_view name, std::string_view value, Dialect 
 
 class LineReader {
  public:
-  LineReader(const std::string& file, Dialect dialect, Diagnostics& diagnostics)
-      : file_(file), dialect_(dialect), diagnostics_(diagnostics) {}
+  LineReader(const std::string& file, const DeviceNames& names, Diagnostics& diagnostics)
+      : file_(file), names_(names), diagnostics_(diagnostics) {}
 
   void token(std::string_view text, SourcePosition position) {
     if (text.front() == '_') return;
@@ -90,10 +138,16 @@ class LineReader {
     const std::size_t equals = text.find('=');
     if (equals == std::string_view::npos || equals == 0) {
       diagnostics_.error(file_, position, fmt::format("{} is no stimulus", text),
-                         "write X0=1 for an input, D5=7 for a preset, *10 for ten scans");
+                         names_.own()
+                             ? "write Xname=1 for an input, name=7 for a variable or an analogue "
+                               "channel, RX=65 for a byte, *10 for ten scans"
+                             : "write X0=1 for an input, D5=7 for a preset, *10 for ten scans");
       return;
     }
-    CheckedEvent checked = check_event(text.substr(0, equals), text.substr(equals + 1), dialect_);
+    const std::string_view name = text.substr(0, equals);
+    CheckedDevice device =
+        names_.own() ? check_own_device(name, names_) : check_list_device(name, names_.dialect());
+    CheckedEvent checked = check_event(std::move(device), name, text.substr(equals + 1));
     if (checked.event) {
       events_.push_back(*checked.event);
     } else {
@@ -120,7 +174,7 @@ class LineReader {
   }
 
   const std::string& file_;
-  Dialect dialect_;
+  const DeviceNames& names_;
   Diagnostics& diagnostics_;
   std::vector<StimulusEvent> events_;
   std::uint64_t count_ = 0;  // of *N; 0 if the line has none
@@ -141,11 +195,11 @@ void Stimulus::append(std::vector<StimulusEvent> events, std::uint64_t count) {
   scans_ += count;
 }
 
-std::optional<Stimulus> parse_stimulus(const SourceText& source, Dialect dialect,
+std::optional<Stimulus> parse_stimulus(const SourceText& source, const DeviceNames& names,
                                        Diagnostics& diagnostics) {
   const int errors_before = diagnostics.error_count();
   Stimulus stimulus;
-  LineReader reader(source.file, dialect, diagnostics);
+  LineReader reader(source.file, names, diagnostics);
   for (std::size_t n = 0; n < source.lines.size(); ++n) {
     const std::u32string_view line = source.lines[n];
     std::size_t i = 0;
@@ -161,18 +215,24 @@ std::optional<Stimulus> parse_stimulus(const SourceText& source, Dialect dialect
   return stimulus;
 }
 
-std::optional<Stimulus> stimulus_of(const Trace& trace, Dialect dialect, const std::string& file,
-                                    Diagnostics& diagnostics) {
+std::optional<Stimulus> stimulus_of(const Trace& trace, const DeviceNames& names,
+                                    const std::string& file, Diagnostics& diagnostics) {
   const int errors_before = diagnostics.error_count();
   Stimulus stimulus;
   for (const TraceScan& scan : trace.scans) {
     const SourcePosition position{scan.line, 1};
-    if (!scan.rx.empty()) {
+    if (!scan.rx.empty() && !names.own()) {
       diagnostics.error(file, position, "it gives received bytes (RX), which a list does not read");
     }
     std::vector<StimulusEvent> events;
+    for (const int byte : scan.rx) {
+      events.push_back({port::uart_rx_data, static_cast<std::int16_t>(byte)});
+    }
     for (const TraceValue& each : scan.in) {
-      CheckedEvent checked = check_event(each.device, fmt::to_string(each.value), dialect);
+      CheckedDevice device = names.own() ? check_trace_device(each.device, names)
+                                         : check_list_device(each.device, names.dialect());
+      CheckedEvent checked =
+          check_event(std::move(device), each.device, fmt::to_string(each.value));
       if (checked.event) {
         events.push_back(*checked.event);
       } else {

@@ -5,6 +5,9 @@
 // this scan on; `D5=7` or `M3=1` presets any other device, once, before the program runs; `*N`
 // stands for N scans of this line, the presets acting in the first of them only; tokens that start
 // with `_` mean nothing. An empty line is a scan in which nothing changes.
+//
+// An LDmicro program has names of its own. There `name=7` also sets the analogue channel that is
+// read into this variable, whose value holds, and `RX=65` is a byte that the UART receives.
 #pragma once
 
 #include <cstdint>
@@ -13,13 +16,13 @@
 #include <string>
 #include <vector>
 
-#include "rungs/program.hpp"
+#include "rungs/names.hpp"
 #include "source/text_file.hpp"
 #include "trace/trace.hpp"
 
 namespace rung {
 
-// A device that gets a value just before a scan.
+// A device that gets a value just before a scan; a byte that arrives is one for port::uart_rx_data.
 struct StimulusEvent {
   Device device;
   std::int16_t value = 0;
@@ -46,12 +49,13 @@ class Stimulus {
   std::uint64_t scans_ = 0;
 };
 
-// Reads a stimulus for a list program. Every fault is an error at its token; then nothing is given.
-std::optional<Stimulus> parse_stimulus(const SourceText& source, Dialect dialect,
+// Reads a stimulus for a program with these names. Every fault is an error at its token; then
+// nothing is given.
+std::optional<Stimulus> parse_stimulus(const SourceText& source, const DeviceNames& names,
                                        Diagnostics& diagnostics);
 
 // What a golden trace was given: its `in`. Errors are at the scan's line of the trace.
-std::optional<Stimulus> stimulus_of(const Trace& trace, Dialect dialect, const std::string& file,
-                                    Diagnostics& diagnostics);
+std::optional<Stimulus> stimulus_of(const Trace& trace, const DeviceNames& names,
+                                    const std::string& file, Diagnostics& diagnostics);
 
 }  // namespace rung

@@ -10,13 +10,24 @@
 #include <map>
 
 #include "backends/c_writer.hpp"
+#include "rungs/ports.hpp"
 
 namespace rung::tb {
 namespace {
 
+// Device ports that the main program needs, in the order of its enum.
+std::vector<Device> harness_ports() {
+  std::vector<Device> ports = {port::uart_rx_full, port::uart_tx_ready, port::uart_rx_data,
+                               port::uart_tx_data};
+  for (int i = 0; i < port::adc_count; ++i) ports.push_back(port::at(port::adc, i));
+  return ports;
+}
+
 // The main program behind the translated ones. Its input, in 32-bit numbers: for each program the
 // tick and how many scans, for each scan how many events, for each event which device and value.
-// Its output: the values of all devices after each scan, 16 bits each.
+// Its output, 16 bits each: after each scan the values of all devices, then the byte that was sent,
+// or -1. Device ports stand behind the devices. The transmitter is busy in the scan of a byte and
+// in the next one; a received byte waits until it is taken or another one comes.
 constexpr const char* kMain = R"(
 #include <stdio.h>
 #include <string.h>
@@ -30,9 +41,20 @@ struct plc {
   int count;
 };
 
+enum { RX_FULL, TX_READY, RX_DATA, TX_DATA };
+
 static int next(void) {
   int32_t value = 0;
   return fread(&value, sizeof value, 1, stdin) == 1 ? value : 0;
+}
+
+static int value_of(const struct plc_device *device) {
+  return device->bit ? *device->bit : device->word ? *device->word : 0;
+}
+
+static void set(const struct plc_device *device, int value) {
+  if (device->bit) *device->bit = (uint8_t)value;
+  if (device->word) *device->word = (int16_t)value;
 }
 
 static void run(const struct plc *p) {
@@ -40,25 +62,31 @@ static void run(const struct plc *p) {
   static int16_t values[20000];
   int tick = next();
   int scans = next();
-  int scan, i;
-  for (i = 0; i < p->count; i++) {
+  int scan, i, busy = 0;
+  const struct plc_device *const *port = at + p->count;
+  for (i = 0; p->names[i]; i++) {
     for (at[i] = p->table; at[i]->name && strcmp(at[i]->name, p->names[i]) != 0;) at[i]++;
   }
   p->reset();
-  p->elapsed((uint32_t)tick);
+  if (p->elapsed) p->elapsed((uint32_t)tick);
   for (scan = 0; scan < scans; scan++) {
     int events = next();
     for (; events > 0; events--) {
-      const struct plc_device *device = at[next()];
-      int value = next();
-      if (device->bit) *device->bit = (uint8_t)value;
-      if (device->word) *device->word = (int16_t)value;
+      int index = next();
+      set(at[index], next());
+      if (index == p->count + RX_DATA) set(port[RX_FULL], 1);
     }
+    set(port[TX_READY], !busy);
     p->cycle();
-    for (i = 0; i < p->count; i++) {
-      values[i] = (int16_t)(at[i]->bit ? *at[i]->bit : at[i]->word ? *at[i]->word : 0);
+    for (i = 0; i < p->count; i++) values[i] = (int16_t)value_of(at[i]);
+    values[i] = -1;
+    if (port[TX_READY]->bit && !busy && !value_of(port[TX_READY])) {
+      values[i] = (int16_t)(value_of(port[TX_DATA]) & 255);
+      busy = 1;
+    } else {
+      busy = 0;
     }
-    fwrite(values, sizeof values[0], (size_t)p->count, stdout);
+    fwrite(values, sizeof values[0], (size_t)p->count + 1, stdout);
   }
   fflush(stdout);
 }
@@ -77,15 +105,20 @@ std::string source_of(std::span<const Case> cases) {
   text += kMain;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     text += fmt::format("static const char *const n{}[] = {{", i);
+    const Program& program = cases[i].program;
     for (const Device device : cases[i].devices) {
-      text += fmt::format("\"{}\",", device_name(device, cases[i].program.dialect));
+      text += fmt::format("\"{}\",", device_name(device, program));
+    }
+    for (const Device device : harness_ports()) {
+      text += fmt::format("\"{}\",", device_name(device, program.dialect));
     }
     text += "0};\n";
   }
   text += "static const struct plc all[] = {\n";
   for (std::size_t i = 0; i < cases.size(); ++i) {
-    text += fmt::format("{{{0}Reset, {0}Cycle, {0}Elapsed, {0}Devices, n{1}, {2}}},\n",
-                        prefix_of(i), i, cases[i].devices.size());
+    const bool own_time = cases[i].program.dialect == Dialect::Ldmicro;
+    text += fmt::format("{{{0}Reset, {0}Cycle, {3}, {0}Devices, n{1}, {2}}},\n", prefix_of(i), i,
+                        cases[i].devices.size(), own_time ? "0" : prefix_of(i) + "Elapsed");
   }
   text += fmt::format(
       "}};\nint main(void) {{\n  int i;\n  for (i = 0; i < {}; i++) run(&all[i]);\n  return "
@@ -102,7 +135,8 @@ std::string input_of(std::span<const Case> cases) {
   };
   for (const Case& one : cases) {
     std::map<Device, std::size_t> index;
-    for (std::size_t i = 0; i < one.devices.size(); ++i) index[one.devices[i]] = i;
+    for (const Device device : one.devices) index.emplace(device, index.size());
+    for (const Device port : harness_ports()) index.emplace(port, index.size());
     add(one.tick_us);
     add(one.scans());
     for (const auto& events : one.events) {
@@ -126,14 +160,17 @@ std::string read(const std::string& path) {
 }
 
 // As many whole scans as `output` holds from `at` on.
-States states_of(const Case& one, const std::string& output, std::size_t& at) {
-  States states;
-  const std::size_t size = one.devices.size() * sizeof(std::int16_t);
+Behaviour behaviour_of(const Case& one, const std::string& output, std::size_t& at) {
+  Behaviour behaviour;
+  const std::size_t size = (one.devices.size() + 1) * sizeof(std::int16_t);
   for (int scan = 0; scan < one.scans() && at + size <= output.size(); ++scan, at += size) {
-    std::vector<std::int16_t>& state = states.emplace_back(one.devices.size());
+    std::vector<std::int16_t>& state = behaviour.states.emplace_back(one.devices.size() + 1);
     std::copy_n(output.data() + at, size, reinterpret_cast<char*>(state.data()));
+    std::vector<int>& sent = behaviour.sent.emplace_back();
+    if (state.back() >= 0) sent.push_back(state.back());
+    state.pop_back();
   }
-  return states;
+  return behaviour;
 }
 
 }  // namespace
@@ -159,7 +196,7 @@ CRun run_as_c(std::span<const Case> cases, CCompiler compiler, const std::string
   }
   const std::string output = read(base + ".out");
   std::size_t at = 0;
-  for (const Case& one : cases) run.states.push_back(states_of(one, output, at));
+  for (const Case& one : cases) run.behaviours.push_back(behaviour_of(one, output, at));
   return run;
 }
 

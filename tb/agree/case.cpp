@@ -2,6 +2,7 @@
 #include "agree/case.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <sstream>
@@ -66,29 +67,37 @@ std::optional<Case> make_case(std::uint64_t seed, const std::string& text, std::
   return one;
 }
 
-States run_reference(const Case& one) {
+Behaviour run_reference(const Case& one) {
   Reference reference(one.program, one.tick_us);
-  States states;
+  Behaviour behaviour;
   for (const auto& events : one.events) {
     for (const StimulusEvent& event : events) reference.set(event.device, event.value);
     reference.run_scan();
-    std::vector<std::int16_t>& state = states.emplace_back();
+    std::vector<std::int16_t>& state = behaviour.states.emplace_back();
     state.reserve(one.devices.size());
     for (const Device device : one.devices) state.push_back(reference.get(device));
+    behaviour.sent.push_back(reference.sent());
   }
-  return states;
+  return behaviour;
 }
 
-std::string difference(const Case& one, const States& expected, const States& states,
+std::string difference(const Case& one, const Behaviour& expected, const Behaviour& got,
                        const std::string& engine) {
-  for (std::size_t scan = 0; scan < expected.size(); ++scan) {
-    if (scan >= states.size()) return fmt::format("{} ended before scan {}\n", engine, scan);
+  const auto here = [&](std::size_t scan) {
+    return fmt::format("seed {}, scan {} (tick {} us): ", one.seed, scan, one.tick_us);
+  };
+  for (std::size_t scan = 0; scan < expected.states.size(); ++scan) {
+    if (scan >= got.states.size()) return fmt::format("{} ended before scan {}\n", engine, scan);
     for (std::size_t i = 0; i < one.devices.size(); ++i) {
-      if (expected[scan][i] == states[scan][i]) continue;
-      return fmt::format("seed {}, scan {} (tick {} us): {} is {} in the reference and {} in {}\n",
-                         one.seed, scan, one.tick_us,
-                         device_name(one.devices[i], one.program.dialect), expected[scan][i],
-                         states[scan][i], engine);
+      if (expected.states[scan][i] == got.states[scan][i]) continue;
+      return here(scan) + fmt::format("{} is {} in the reference and {} in {}\n",
+                                      device_name(one.devices[i], one.program),
+                                      expected.states[scan][i], got.states[scan][i], engine);
+    }
+    if (expected.sent[scan] != got.sent[scan]) {
+      return here(scan) + fmt::format("the reference sends [{}] and {} [{}]\n",
+                                      fmt::join(expected.sent[scan], " "), engine,
+                                      fmt::join(got.sent[scan], " "));
     }
   }
   return {};

@@ -24,8 +24,11 @@ struct Case {
   int scans() const { return static_cast<int>(events.size()); }
 };
 
-// The values of all devices of a case after each scan.
-using States = std::vector<std::vector<std::int16_t>>;
+// What an engine did with a case, scan by scan.
+struct Behaviour {
+  std::vector<std::vector<std::int16_t>> states;  // the values of all devices after it
+  std::vector<std::vector<int>> sent;             // bytes, in it
+};
 
 // Program number `seed`, of the families in `only` (all if empty).
 std::string text_of(std::uint64_t seed, const std::vector<Family>& only);
@@ -34,12 +37,12 @@ std::string text_of(std::uint64_t seed, const std::vector<Family>& only);
 std::optional<Case> make_case(std::uint64_t seed, const std::string& text, std::string& messages,
                               const Case* original = nullptr);
 
-// The reference's states.
-States run_reference(const Case& one);
+// What the reference does.
+Behaviour run_reference(const Case& one);
 
-// The first difference of `states` of `engine` from `expected`, for a reader; empty if there is
-// none.
-std::string difference(const Case& one, const States& expected, const States& states,
+// The first difference of `got`, which `engine` did, from `expected`, for a reader; empty if there
+// is none.
+std::string difference(const Case& one, const Behaviour& expected, const Behaviour& got,
                        const std::string& engine);
 
 }  // namespace rung::tb

@@ -46,8 +46,9 @@ class Agreement {
   void run() {
     compiler_ = batches_++ % kStrictEvery == 0 ? CCompiler::Strict : CCompiler::Fast;
     const CRun c = run_as_c(cases_, compiler_, RUNG_SCRATCH, name_);
-    for (std::size_t i = 0; i < cases_.size() && i < c.states.size(); ++i) {
-      const std::string found = difference(cases_[i], run_reference(cases_[i]), c.states[i], "C");
+    for (std::size_t i = 0; i < cases_.size() && i < c.behaviours.size(); ++i) {
+      const std::string found =
+          difference(cases_[i], run_reference(cases_[i]), c.behaviours[i], "C");
       if (!found.empty()) return report(cases_[i], found);
     }
     ASSERT_EQ(c.failure, "");
@@ -73,7 +74,7 @@ class Agreement {
     const std::optional<Case> one = make_case(original.seed, text, messages, &original);
     if (!one) return {};
     const CRun c = run_as_c({&*one, 1}, compiler_, RUNG_SCRATCH, name_ + "-shrink");
-    return c.states.empty() ? "" : difference(*one, run_reference(*one), c.states[0], "C");
+    return c.behaviours.empty() ? "" : difference(*one, run_reference(*one), c.behaviours[0], "C");
   }
 
   std::string name_;

@@ -2,9 +2,12 @@
 #include "lockstep/lockstep.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <utility>
+
+#include "rungs/ports.hpp"
 
 namespace rung::tb {
 
@@ -45,6 +48,12 @@ std::optional<Difference> Lockstep::scan(std::span<const StimulusEvent> events) 
   if (result_.error != reference_.error()) {
     return Difference{scan_, {}, {}, "error flag", flag(reference_.error()), flag(result_.error)};
   }
+  if (machine_.sent() != reference_.sent()) {
+    const auto show = [](const std::vector<int>& bytes) {
+      return fmt::format("[{}]", fmt::join(bytes, " "));
+    };
+    return Difference{scan_, {}, {}, "bytes sent", show(reference_.sent()), show(machine_.sent())};
+  }
   const std::string clocks = std::to_string(machine_.image().clocks);
   for (const std::uint32_t counted : {result_.clocks, result_.counted}) {
     if (std::to_string(counted) != clocks) {
@@ -65,7 +74,7 @@ std::optional<Difference> Lockstep::compare_write(const ReferenceWrite* expected
                                                   const MachineWrite* got) {
   const auto show = [&](Device device, std::int16_t value) {
     const auto comment = program_.comments.find(device);
-    return fmt::format("{}{} = {}", device_name(device, program_.dialect),
+    return fmt::format("{}{} = {}", device_name(device, program_),
                        comment == program_.comments.end() ? "" : " (" + comment->second + ")",
                        value);
   };
@@ -141,11 +150,37 @@ std::optional<Difference> Lockstep::compare_order(const std::vector<Change>& exp
   return std::nullopt;
 }
 
-std::optional<Difference> Lockstep::compare_state() { return compare_devices(false); }
+std::optional<Difference> Lockstep::compare_state() {
+  auto difference = compare_devices(false);
+  return difference ? difference : compare_ports();
+}
+
+// Those that the program drives; what it has sent has been compared.
+std::optional<Difference> Lockstep::compare_ports() {
+  std::vector<Device> ports{port::uart_rx_full, port::persist_ready, port::pwm_duty,
+                            port::pwm_hz_low,   port::pwm_hz_high,   port::persist_index};
+  for (int i = 0; i < port::persist_value_count; ++i) {
+    ports.push_back(port::at(port::persist_value, i));
+  }
+  for (const Device port : ports) {
+    if (!machine_.peripherals().has(port)) continue;
+    const std::int16_t expected = reference_.get(port);
+    const std::int16_t got = machine_.peripherals().value(port);
+    if (expected == got) continue;
+    return Difference{scan_,
+                      {},
+                      {},
+                      fmt::format("port {} after the scan", device_name(port, program_.dialect)),
+                      std::to_string(expected),
+                      std::to_string(got)};
+  }
+  return std::nullopt;
+}
 
 std::optional<Difference> Lockstep::compare_devices(bool outputs_only) {
   for (std::size_t i = 0; i < devices_.size(); ++i) {
     if (outputs_only && devices_[i].kind != DeviceKind::Y) continue;
+    if (is_port(devices_[i].kind)) continue;
     const std::int16_t expected = reference_.get(devices_[i]);
     const std::int16_t got = machine_.value(i);
     if (expected == got) continue;

@@ -30,9 +30,10 @@ class Lockstep {
 
   // Gives both the same events, runs one scan on both and compares: for each device the sequence of
   // the values that it gets, on MPU1 also the order of the source instructions that change
-  // something; outputs, the error flag, and the clocks with those that the compiler has counted.
+  // something; outputs, the error flag, bytes sent, and the clocks with those that the compiler has
+  // counted.
   std::optional<Difference> scan(std::span<const StimulusEvent> events);
-  // Compares every device that the program names.
+  // Compares every device that the program names, and the device ports.
   std::optional<Difference> compare_state();
 
   const Reference& reference() const { return reference_; }
@@ -56,6 +57,7 @@ class Lockstep {
                                           const std::vector<Change>& got);
   std::optional<Difference> compare_write(const ReferenceWrite* expected, const MachineWrite* got);
   std::optional<Difference> compare_devices(bool outputs_only);
+  std::optional<Difference> compare_ports();
   std::string source_of(std::size_t instruction) const;
 
   const Program& program_;

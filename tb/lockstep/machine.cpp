@@ -19,14 +19,17 @@ Dialect dialect_of(const image::Image& image) {
 Machine::Machine(const image::Image& image, Processor& processor, std::int64_t tick_us)
     : image_(image),
       processor_(processor),
+      peripherals_(image, processor),
       values_(image.devices.size(), 0),
       ticks_(image.ticks.size(), 0),
-      time_{0, tick_us} {
+      time_{0, image.cycle_us > 0 ? image.cycle_us : tick_us} {
   const isa::Config& config = processor.config();
   bit_devices_.assign(config.bit_devices, -1);
   word_devices_.assign(config.word_devices, -1);
   for (std::size_t i = 0; i < image.devices.size(); ++i) {
     const image::ImageDevice& named = image.devices[i];
+    // No write of a port is a write of the trace.
+    if (is_port(named.device.kind)) continue;
     const int index = static_cast<int>(i);
     (is_word(named.device) ? word_devices_ : bit_devices_)[named.address] = index;
     by_device_[named.device] = index;
@@ -46,12 +49,14 @@ Machine::Machine(const image::Image& image, Processor& processor, std::int64_t t
 }
 
 Machine::~Machine() {
-  for (int address = 0; address < image_.statistics.bit_devices; ++address) {
+  const image::Statistics& used = image_.statistics;
+  for (int address = 0; address < used.bit_devices - image_.port_bits; ++address) {
     processor_.write_bit(address, false);
   }
-  for (int address = 0; address < image_.statistics.word_devices; ++address) {
+  for (int address = 0; address < used.word_devices - image_.port_words; ++address) {
     processor_.write_word(address, 0);
   }
+  peripherals_.clear();
 }
 
 void Machine::set(int device, std::int16_t value) {
@@ -67,6 +72,10 @@ void Machine::set(int device, std::int16_t value) {
 
 void Machine::apply(std::span<const StimulusEvent> events) {
   for (const StimulusEvent& event : events) {
+    if (is_port(event.device.kind)) {
+      peripherals_.set(event.device, event.value);
+      continue;
+    }
     const int device = find(event.device);
     if (device >= 0) set(device, event.value);
   }
@@ -103,10 +112,12 @@ void Machine::retire(const Retired& retired) {
 ScanResult Machine::run_scan() {
   writes_.clear();
   drive();
+  peripherals_.begin_scan();
   const ScanResult result = processor_.run_scan([this](const Retired& retired) {
     if (observer_) observer_(retired);
     retire(retired);
   });
+  peripherals_.end_scan();
   ++time_.scan;
   return result;
 }
@@ -136,8 +147,17 @@ std::string Machine::describe(std::uint32_t step, std::uint8_t slot) const {
   return text;
 }
 
+DeviceNames names_of(const image::Image& image) {
+  std::map<Device, std::string> names;
+  for (const image::ImageDevice& device : image.devices) names[device.device] = device.name;
+  return DeviceNames(dialect_of(image), std::move(names));
+}
+
 MachineRun::MachineRun(Machine& machine, bool with_state)
-    : machine_(machine), with_state_(with_state), recorder_(with_state) {}
+    : machine_(machine),
+      names_(names_of(machine.image())),
+      with_state_(with_state),
+      recorder_(with_state) {}
 
 TraceHeader MachineRun::header() const {
   const image::Image& image = machine_.image();
@@ -156,25 +176,20 @@ TraceScan MachineRun::scan(std::span<const StimulusEvent> events) {
 
 TraceScan MachineRun::record(std::span<const StimulusEvent> events, const ScanResult& result) {
   const image::Image& image = machine_.image();
-  for (const StimulusEvent& event : events) {
-    const std::string name = device_name(event.device, dialect_of(image));
-    if (is_input(event.device)) {
-      recorder_.input(name, event.value);
-    } else {
-      recorder_.preset(name, event.value);
-    }
-  }
+  for (const StimulusEvent& event : events) recorder_.event(event, names_);
   for (const MachineWrite& write : machine_.writes()) {
     recorder_.write(image.devices[write.device].name, write.value);
   }
   for (std::size_t i = 0; i < image.devices.size(); ++i) {
     const image::ImageDevice& device = image.devices[i];
+    if (is_port(device.device.kind)) continue;
     const bool output = device.device.kind == DeviceKind::Y;
     if (!output && !with_state_) continue;
     const std::int16_t value = machine_.value(i);
     if (output) recorder_.output(device.name, value);
     recorder_.state(device.name, value);
   }
+  for (const int byte : machine_.sent()) recorder_.sent(byte);
   return recorder_.finish(result.clocks);
 }
 

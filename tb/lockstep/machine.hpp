@@ -10,6 +10,7 @@
 
 #include "harness/processor.hpp"
 #include "image/image.hpp"
+#include "lockstep/peripherals.hpp"
 #include "rungs/special.hpp"
 #include "trace/recorder.hpp"
 #include "trace/stimulus.hpp"
@@ -27,7 +28,8 @@ struct MachineWrite {
 class Machine {
  public:
   // Loads `image` into `processor`, which is its processor in its configuration; all devices are 0.
-  // `tick_us` is the time from scan to scan. Both must outlive this.
+  // `tick_us` is the time from scan to scan; an LDmicro program has its own. Both must outlive
+  // this.
   Machine(const image::Image& image, Processor& processor, std::int64_t tick_us = 10000);
   // Sets what it has used back to 0, so that the processor is as new for the next machine.
   ~Machine();
@@ -42,12 +44,16 @@ class Machine {
   ScanResult run_scan();
 
   const std::vector<MachineWrite>& writes() const { return writes_; }
+  // The bytes that the program sent in that scan.
+  const std::vector<int>& sent() const { return peripherals_.sent(); }
   // Also shows `observer` every retired instruction of the scans to come.
   void observe(RetireObserver observer) { observer_ = std::move(observer); }
   // Reads a device, by its index in Image::devices, back from the processor.
   std::int16_t value(std::size_t device);
   // Index of the device, or -1.
   int find(Device device) const;
+  // The device ports, as the program has left them.
+  Peripherals& peripherals() { return peripherals_; }
 
   const image::Image& image() const { return image_; }
   std::int64_t tick_us() const { return time_.tick_us; }
@@ -67,6 +73,7 @@ class Machine {
 
   const image::Image& image_;
   Processor& processor_;
+  Peripherals peripherals_;
   std::vector<int> bit_devices_;  // address -> index into Image::devices, or -1
   std::vector<int> word_devices_;
   std::map<Device, int> by_device_;
@@ -77,6 +84,9 @@ class Machine {
   std::vector<MachineWrite> writes_;
   RetireObserver observer_;
 };
+
+// What the devices of an image are called.
+DeviceNames names_of(const image::Image& image);
 
 // A machine as an engine that gives a trace.
 class MachineRun {
@@ -91,6 +101,7 @@ class MachineRun {
 
  private:
   Machine& machine_;
+  DeviceNames names_;
   bool with_state_;
   TraceRecorder recorder_;
 };

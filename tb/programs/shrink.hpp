@@ -12,4 +12,9 @@ namespace rung {
 std::string shrink(const std::string& text,
                    const std::function<bool(const std::string&)>& still_fails);
 
+// The same for an `.ld` file: rungs, elements and branches are taken out, and a branch takes the
+// place of its PARALLEL.
+std::string shrink_ldmicro(const std::string& text,
+                           const std::function<bool(const std::string&)>& still_fails);
+
 }  // namespace rung

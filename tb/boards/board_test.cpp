@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 // The board top through its pins: a program goes in over the serial link, runs, and its results
-// come back; frames that are too short or too long do nothing.
+// come back; frames that are too short or too long do nothing; the program's UART and PWM work.
 #include <gtest/gtest.h>
 #include <verilated.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "Vhx8k_mpu1.h"
 #include "Vhx8k_mpu2.h"
 #include "Vhx8k_mpu3.h"
 #include "isa/isa.hpp"
+#include "peripherals/uart_lines.hpp"
+#include "rungs/ports.hpp"
 #include "unit/instructions.hpp"
 
 namespace rung::tb {
@@ -27,7 +31,7 @@ constexpr std::uint64_t kWrite = 1ULL << 61;
 constexpr std::uint64_t kDone = 1ULL << 63;
 constexpr int kFrameBits = 64;
 
-enum Space : std::uint8_t { kSteps = 0, kBits = 2, kWords = 3, kLength = 4 };
+enum Space : std::uint8_t { kSteps = 0, kBits = 2, kWords = 3, kLength = 4, kPorts = 5 };
 
 // A board top as somebody at its pins sees it; sck is an eighth of the clock.
 template <typename Top>
@@ -40,6 +44,7 @@ class Board {
     top_->sck_i = 0;
     top_->csn_i = 1;
     top_->sdi_i = 0;
+    top_->rx_i = 1;
     clocks(40);
   }
   ~Board() { top_->final(); }
@@ -47,6 +52,17 @@ class Board {
   Board& operator=(const Board&) = delete;
 
   bool done_lamp() const { return (top_->led_o & 1) != 0; }
+
+  // What the UART receives from now on, a level a clock, and what its and the PWM's pins show.
+  void send(std::vector<bool> levels) {
+    rx_ = std::move(levels);
+    next_ = 0;
+    tx_.clear();
+    pwm_.clear();
+  }
+  bool sending() const { return next_ < rx_.size(); }
+  const std::vector<bool>& tx() const { return tx_; }
+  const std::vector<bool>& pwm() const { return pwm_; }
 
   // Sends the `bits` low bits of `frame`, the highest first, and gives what came back.
   std::uint64_t exchange(std::uint64_t frame, int bits = kFrameBits) {
@@ -85,13 +101,18 @@ class Board {
     for (int i = 0; i < count; ++i) {
       top_->clk_12mhz_i = 0;
       top_->eval();
+      top_->rx_i = sending() ? rx_[next_++] : 1;
       top_->clk_12mhz_i = 1;
       top_->eval();
+      tx_.push_back(top_->tx_o != 0);
+      pwm_.push_back(top_->pwm_o != 0);
     }
   }
 
   std::unique_ptr<VerilatedContext> context_;
   std::unique_ptr<Top> top_;
+  std::vector<bool> rx_, tx_, pwm_;
+  std::size_t next_ = 0;
 };
 
 template <Mpu kProcessor, typename Model>
@@ -127,6 +148,27 @@ class BoardTest : public testing::Test {
     board_.write(kLength, 0, kLength3);
   }
 
+  static int at(Device port) {
+    const isa::Config& config = *isa::find_config("hx8k");
+    return (port.kind == DeviceKind::PB ? config.bit_devices : config.word_devices) - 1 -
+           static_cast<int>(port.number);
+  }
+
+  // Sends back what comes, and PWM at 10 kHz, 25 %.
+  void load_echo() {
+    const isa::SlotInstruction steps[] = {
+        contact(Opcode::Ld, at(port::uart_rx_full)),
+        word(Opcode::Mv, 0, at(port::uart_rx_data), at(port::uart_tx_data), false),
+        coil(kMpu, Opcode::Rst, at(port::uart_rx_full)),
+        coil(kMpu, Opcode::Rst, at(port::uart_tx_ready)),
+        move_constant(25, at(port::pwm_duty)),
+        move_constant(10000, at(port::pwm_hz_low)),
+        move_constant(0, at(port::pwm_hz_high))};
+    int step = 0;
+    for (const isa::SlotInstruction& instruction : steps) load_step(step++, instruction);
+    board_.write(kLength, 0, static_cast<std::uint16_t>(step));
+  }
+
   static constexpr int kX = 5, kY = 700;
   static constexpr std::uint16_t kConstant = 0x1234, kLength3 = 3;
   Board<typename Which::Top> board_;
@@ -156,6 +198,46 @@ TYPED_TEST(BoardTest, ProgramRunsAndItsClocksComeBack) {
     EXPECT_EQ(this->board_.read(kBits, this->kY) & 1, x);
     EXPECT_EQ(this->board_.read(kWords, 1), x ? this->kConstant : 0);
   }
+}
+
+TYPED_TEST(BoardTest, TheProgramsUartAndPwm) {
+  constexpr double kClocksABit = 12e6 / 115200;
+  this->load_echo();
+  this->board_.write(kPorts, 0, 5 << 8 | 2);
+  this->board_.write(kPorts, 1, static_cast<std::uint16_t>(baud_step(kClocksABit)));
+  this->board_.write(kPorts, 2, static_cast<std::uint16_t>(baud_step(kClocksABit) >> 16));
+  const std::vector<std::uint8_t> bytes = {0x00, 0xff, 0x55, 0x12, 0xed, 0x80, 0x01};
+  LineWriter line(kClocksABit);
+  line.idle(3);
+  for (const std::uint8_t byte : bytes) line.byte(byte);
+  line.idle(15);
+  this->board_.send(line.levels());
+  std::uint64_t reply = 0;
+  while (this->board_.sending()) reply = this->board_.exchange(kStart);
+  EXPECT_EQ(reply & kDone, kDone);
+  EXPECT_EQ(reply & 0xffffffff, 7U + isa::constant::fill_clocks);
+  const LineReader answer(this->board_.tx(), kClocksABit);
+  EXPECT_EQ(answer.bytes, bytes);
+  EXPECT_FALSE(answer.framing_error || answer.cut);
+  // Periods of 1,200 clocks, after the first scan.
+  const std::vector<bool>& pwm = this->board_.pwm();
+  ASSERT_GT(pwm.size(), 2000U + 4 * 1200U);
+  const auto begin = pwm.begin() + 2000;
+  EXPECT_EQ(std::count(begin, begin + 4 * 1200, true), 4 * 300);
+  EXPECT_TRUE(std::equal(begin, begin + 3 * 1200, begin + 1200));
+}
+
+TYPED_TEST(BoardTest, APortsPlaceIsAnOrdinaryDeviceWithoutPorts) {
+  this->load_echo();
+  this->board_.write(kBits, this->at(port::uart_rx_full), 1);
+  this->board_.write(kWords, this->at(port::uart_rx_data), 0x4321);
+  this->board_.send(std::vector<bool>(3000, true));
+  while (this->board_.sending()) this->board_.exchange(kStart);
+  EXPECT_EQ(this->board_.read(kWords, this->at(port::uart_tx_data)), 0x4321);
+  EXPECT_EQ(this->board_.read(kBits, this->at(port::uart_rx_full)) & 1, 0);
+  EXPECT_EQ(this->board_.read(kBits, this->at(port::uart_tx_ready)) & 1, 0);
+  EXPECT_EQ(std::count(this->board_.tx().begin(), this->board_.tx().end(), false), 0);
+  EXPECT_EQ(std::count(this->board_.pwm().begin(), this->board_.pwm().end(), true), 0);
 }
 
 TYPED_TEST(BoardTest, FramesOfAnotherLengthDoNothing) {

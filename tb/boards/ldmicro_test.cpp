@@ -125,7 +125,7 @@ TYPED_TEST(LdmicroOnBoard, BytesAndPwmAreTheReferences) {
   ASSERT_TRUE(compiled);
   const image::Image& image = compiled->image;
   EXPECT_EQ(image.port_bits, 2);
-  EXPECT_EQ(image.port_words, 5);
+  EXPECT_EQ(image.port_words, 4);
   this->load(image);
 
   std::vector<std::uint8_t> sent;

@@ -204,8 +204,10 @@ TEST(Ports, PwmChangesAtOnceAndEndsWithItsPorts) {
   bench.scan();
   bench.ports(3, 4);
   bench.scan();
-  EXPECT_EQ(seen,
-            (std::vector<std::uint64_t>{0, 33ULL << 32 | 1000000, 0xffffULL << 32 | 0x100001, 0}));
+  bench.ports(3, 3);
+  bench.scan();
+  EXPECT_EQ(seen, (std::vector<std::uint64_t>{0, 33ULL << 32 | 1000000, 0xffffULL << 32 | 0x100001,
+                                              0xffffULL << 32 | 1, 0}));
 }
 
 // Every device before and after a scan of an empty program.

@@ -81,8 +81,6 @@ TEST(Ports, AScanTakesTheSameClocksWhateverHappens) {
 
 TEST(Ports, BackToBackScans) {
   PortBench bench;
-  bench.load({count(kCount), word(Opcode::Add, kCount, kCount, kTaken)});
-  bench.write(PortBench::kWords, kCount, 0);
   isa::SlotInstruction always = count(kCount);
   always.always = true;
   bench.load({always});

@@ -26,9 +26,11 @@ void counter(CUnit& unit, const Instruction& instruction, const std::string& s) 
                    instruction.op == Op::Ctu ? '+' : '-');
     return unit.body.line("{} = {}({}, {}) >= 0;", s, compare, value, limit);
   }
-  unit.body.line("if ({0}) {1} = {2}((uint32_t){1} + 1u);", rises, value, word);
+  unit.body.open("if ({}) {{", rises);
+  unit.body.line("{0} = {1}((uint32_t){0} + 1u);", value, word);
   unit.body.line("if ({0}({1}, {2}) >= 0) {1} = 0;", compare, value,
                  static_cast<std::int16_t>(static_cast<std::uint16_t>(limit + 1)));
+  unit.body.close();
 }
 
 }  // namespace

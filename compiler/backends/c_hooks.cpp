@@ -93,15 +93,14 @@ void write_hooks_manual(const CUnit& unit, CSource& source) {
   source.code(
       R"( * Write the functions under "Hooks", and no others: a cycle begins with those that read inputs
  * and peripherals, then executes the rungs, and ends with those that write outputs and
- * peripherals. Bits are 0 or 1. A file that includes this one can define them as static inline
- * functions in front of it, after #define PLC_HOOKS_DECLARED.
+ * peripherals. Bits are 0 or 1. A file that includes this one can have them as static functions in
+ * front of it.
  * $ReadBit_NAME, $WriteWord_NAME, ... give access to what is inside of the program, between
  * cycles; those that nothing calls are left out by gcc -ffunction-sections -Wl,--gc-sections. */)");
 }
 
 void write_hooks_prototypes(const CUnit& unit, CSource& source) {
   if (unit.hooks()) {
-    source.line("#ifndef PLC_HOOKS_DECLARED");
     source.line("/* Hooks */");
     for (const Device device : unit.layout.devices()) {
       if (device.kind == DeviceKind::X) {
@@ -113,7 +112,6 @@ void write_hooks_prototypes(const CUnit& unit, CSource& source) {
       }
     }
     peripheral_prototypes(unit, source);
-    source.line("#endif");
     source.blank();
   }
   for (const Device device : internal_devices(unit)) {

@@ -63,32 +63,31 @@ void number_steps(CUnit& unit, const Instruction& instruction, const std::vector
   const std::string kept = fmt::format("@.string_kept[{}]", number);
   const std::string seen = fmt::format("@.string_seen[{}]", number);
   bool first = true;
-  unit.body.line("switch (@.string_step[{}]) {{", number);
+  CSource& body = unit.body;
+  body.open("switch (@.string_step[{}]) {{", number);
   for (std::size_t i = 0; i < steps.size(); ++i) {
     if (steps[i].kind == Step::Byte) continue;
-    unit.body.open("  case {}:", i);
-    if (first) {
-      // From here on the variable may change without harm.
-      if (steps[i].kind == Step::Sign) {
-        unit.body.line("{0} = {1} < 0 ? {2}(0u - (uint32_t){1}) : {1};", kept, value,
-                       unit.helpers.use(CHelper::Word));
-      } else {
-        unit.body.line("{} = {};", kept, value);
-      }
-      unit.body.line("{} = 0;", seen);
+    body.line("case {}:", i);
+    // From here on the variable may change without harm.
+    if (first && steps[i].kind == Step::Sign) {
+      body.line("  {0} = {1} < 0 ? {2}(0u - (uint32_t){1}) : {1};", kept, value,
+                unit.helpers.use(CHelper::Word));
+    } else if (first) {
+      body.line("  {} = {};", kept, value);
     }
+    if (first) body.line("  {} = 0;", seen);
     first = false;
     if (steps[i].kind == Step::Sign) {
-      unit.body.line("byte = {} < 0 ? 45 : 32;", value);
+      body.line("  byte = {} < 0 ? 45 : 32;", value);
     } else {
-      unit.body.line("byte = {}(&{}, &{}, {}, {});", unit.helpers.use(CHelper::Digit), kept, seen,
-                     steps[i].value, steps[i].last ? 1 : 0);
+      body.line("  byte = {}(&{}, &{}, {}, {});", unit.helpers.use(CHelper::Digit), kept, seen,
+                steps[i].value, steps[i].last ? 1 : 0);
     }
-    unit.body.close("  break;");
+    body.line("  break;");
   }
-  unit.body.line("  default:");
-  unit.body.line("    break;");
-  unit.body.line("}}");
+  body.line("default:");
+  body.line("  break;");
+  body.close();
 }
 
 void string(CUnit& unit, const Instruction& instruction, const std::string& s) {

@@ -5,6 +5,7 @@
 #include "reference/run.hpp"
 #include "source/text_file.hpp"
 #include "trace/compare.hpp"
+#include "trace/ldmicro_trace.hpp"
 
 namespace rung::cli {
 namespace {
@@ -19,18 +20,45 @@ std::string writer_of(const tb::Machine& machine, const std::string& device) {
   return {};
 }
 
+// What the run must give: a golden trace of ours, or one of LDmicro's simulator.
+struct Golden {
+  TraceHeader header;  // of a trace of ours
+  std::vector<TraceScan> scans;
+  bool ldmicro = false;
+  std::optional<LdmicroTrace::Stop> stop = {};
+};
+
+std::optional<Golden> read_golden(const Options& options, Diagnostics& diagnostics) {
+  const auto bytes = read_bytes(options.golden, diagnostics);
+  if (!bytes) return std::nullopt;
+  if (!is_ldmicro_trace(*bytes)) {
+    auto trace = read_trace(*bytes, options.golden, diagnostics);
+    if (!trace) return std::nullopt;
+    return Golden{std::move(trace->header), std::move(trace->scans)};
+  }
+  if (options.stimulus.empty()) {
+    throw UsageError("a trace of LDmicro does not say what its program was given: --stimulus");
+  }
+  auto trace = read_ldmicro_trace(*bytes, options.golden, diagnostics);
+  if (!trace) return std::nullopt;
+  return Golden{{}, std::move(trace->scans), true, std::move(trace->stop)};
+}
+
 // Runs one scan a golden scan with `next`; kDifferent at the first difference.
 template <typename Next, typename Explain>
-int compare(const Options& options, const Trace& golden, const Stimulus& stimulus, bool clocks,
+int compare(const Options& options, const Golden& golden, const Stimulus& stimulus, bool clocks,
             Next&& next, Explain&& explain) {
   TraceComparison comparison(clocks);
   for (std::size_t k = 0; k < golden.scans.size(); ++k) {
-    const auto difference = comparison.next(golden.scans[k], next(stimulus.events(k)));
+    const TraceScan& expected = golden.scans[k];
+    const TraceScan got = next(stimulus.events(k));
+    const auto difference =
+        golden.ldmicro ? compare_shown(expected, got) : comparison.next(expected, got);
     if (!difference) continue;
     fmt::print(stderr, "{}:{}:1: {}\n{}  replay: rung check {} --golden {}{}{}{} --config {}\n",
-               options.golden, golden.scans[k].line, describe(*difference),
-               explain(difference->device), options.program, options.golden,
-               options.mpu.empty() ? "" : " --mpu " + options.mpu, options.paper ? " --paper" : "",
+               options.golden, expected.line, describe(*difference), explain(difference->device),
+               options.program, options.golden, options.mpu.empty() ? "" : " --mpu " + options.mpu,
+               options.paper ? " --paper" : "",
                options.stimulus.empty() ? "" : " --stimulus " + options.stimulus, options.config);
     return kDifferent;
   }
@@ -40,17 +68,18 @@ int compare(const Options& options, const Trace& golden, const Stimulus& stimulu
 }  // namespace
 
 int check_command(const Options& options) {
-  const auto asked_tick = tick_of(options);
   Diagnostics diagnostics;
-  const auto bytes = read_bytes(options.golden, diagnostics);
-  if (!bytes) return report(diagnostics);
-  const auto golden = read_trace(*bytes, options.golden, diagnostics);
+  const auto golden = read_golden(options, diagnostics);
   if (!golden) return report(diagnostics);
-  auto input = read_input(options, true, find_dialect(golden->header.dialect), diagnostics);
+  const auto dialect = find_dialect(golden->header.dialect);
+  auto input = read_input(options, true, dialect, diagnostics);
   if (!input) return report(diagnostics);
-  const auto stimulus = options.stimulus.empty()
-                            ? stimulus_of(*golden, input->dialect, options.golden, diagnostics)
-                            : read_stimulus(options.stimulus, input->dialect, diagnostics);
+  const auto asked_tick = tick_of(options, *input);
+  const DeviceNames names = names_of(*input);
+  const auto stimulus =
+      options.stimulus.empty()
+          ? stimulus_of({golden->header, golden->scans}, names, options.golden, diagnostics)
+          : read_stimulus(options.stimulus, names, diagnostics);
   if (!stimulus) return report(diagnostics);
 
   const std::int64_t tick_us = asked_tick.value_or(golden->header.tick_us);
@@ -77,6 +106,12 @@ int check_command(const Options& options) {
         [&](const std::string& device) { return writer_of(*target->machine, device); });
   }
   if (code != kDone) return code;
+  if (golden->stop) {
+    diagnostics.note(options.golden, {golden->stop->line, 1},
+                     fmt::format("LDmicro's simulator stopped here ({}): nothing behind it is "
+                                 "compared",
+                                 golden->stop->what));
+  }
   fmt::print("{}: {} scans on {}, as in {}\n", options.program, golden->scans.size(), what,
              options.golden);
   return report(diagnostics);

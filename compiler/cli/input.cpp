@@ -100,12 +100,24 @@ std::optional<Compiled> compile_input(const Program& program, const Options& opt
   return compile(program, how, diagnostics);
 }
 
-std::optional<Stimulus> read_stimulus(const std::string& file, Dialect dialect,
+DeviceNames names_of(const Input& input) {
+  return input.program ? DeviceNames(*input.program) : tb::names_of(*input.image);
+}
+
+std::optional<std::int64_t> tick_of(const Options& options, const Input& input) {
+  const auto tick = tick_of(options);
+  if (tick && input.dialect == Dialect::Ldmicro) {
+    throw UsageError("--tick is for lists; the CYCLE of an LDmicro program is in its file");
+  }
+  return tick;
+}
+
+std::optional<Stimulus> read_stimulus(const std::string& file, const DeviceNames& names,
                                       Diagnostics& diagnostics) {
   const auto bytes = read_bytes(file, diagnostics);
   if (!bytes) return std::nullopt;
   const auto text = decode_text(*bytes, file, diagnostics);
-  return text ? parse_stimulus(*text, dialect, diagnostics) : std::nullopt;
+  return text ? parse_stimulus(*text, names, diagnostics) : std::nullopt;
 }
 
 std::unique_ptr<Target> make_target(image::Image image, std::int64_t tick_us) {

@@ -36,9 +36,14 @@ std::optional<Program> read_program(const Options& options, Diagnostics& diagnos
 std::optional<Compiled> compile_input(const Program& program, const Options& options,
                                       Diagnostics& diagnostics);
 
+// What a stimulus may name.
+DeviceNames names_of(const Input& input);
 // Reads --stimulus.
-std::optional<Stimulus> read_stimulus(const std::string& file, Dialect dialect,
+std::optional<Stimulus> read_stimulus(const std::string& file, const DeviceNames& names,
                                       Diagnostics& diagnostics);
+// Microseconds of --tick, if it was given. An LDmicro program's scans follow its CYCLE: with one it
+// is wrong usage.
+std::optional<std::int64_t> tick_of(const Options& options, const Input& input);
 
 // The processor and the loaded image, in the order in which they must live.
 struct Target {

@@ -72,12 +72,12 @@ int run_lockstep(const Program& program, tb::Machine& machine, const Options& op
   return kDone;
 }
 
-bool read_session(const Options& options, Dialect dialect, Session& session,
+bool read_session(const Options& options, const Input& input, Session& session,
                   Diagnostics& diagnostics) {
-  session.tick_us = tick_of(options).value_or(10000);
+  session.tick_us = tick_of(options, input).value_or(10000);
   session.keep = !options.trace.empty();
   if (!options.stimulus.empty()) {
-    auto stimulus = read_stimulus(options.stimulus, dialect, diagnostics);
+    auto stimulus = read_stimulus(options.stimulus, names_of(input), diagnostics);
     if (!stimulus) return false;
     session.stimulus = std::move(*stimulus);
     session.scans = session.stimulus.scans();
@@ -93,7 +93,7 @@ int run_command(const Options& options) {
   Diagnostics diagnostics;
   Session session;
   auto input = read_input(options, true, std::nullopt, diagnostics);
-  if (!input || !read_session(options, input->dialect, session, diagnostics)) {
+  if (!input || !read_session(options, *input, session, diagnostics)) {
     return report(diagnostics);
   }
 

@@ -38,12 +38,12 @@ void Reference::execute_counter(const Instruction& instruction) {
   const Device variable = instruction.operand(0).device;
   const int limit = instruction.operand(1).value;
   std::int16_t value = get(variable);
-  if (rises()) value = wrapped(instruction.op == Op::Ctd ? value - 1 : value + 1);
-  if (instruction.op == Op::Ctc) {
-    if (value >= wrapped(limit + 1)) value = 0;
-  } else {
-    now_.result = value >= limit;
+  if (rises()) {
+    value = wrapped(instruction.op == Op::Ctd ? value - 1 : value + 1);
+    // A value that something else has put above the limit stays until then.
+    if (instruction.op == Op::Ctc && value >= wrapped(limit + 1)) value = 0;
   }
+  if (instruction.op != Op::Ctc) now_.result = value >= limit;
   change(variable, value);
 }
 

@@ -89,9 +89,9 @@ class FormatString {
     if (sign) ++at_;
     const std::int32_t count = peek() - '0';
     if (count < 1 || count > 5) {
-      return refuse(sign ? "\\- without a number of digits from 1 to 5"
-                         : fmt::format("{}: digits of the variable are 1 to 5",
-                                       shown_escape(peek())));
+      return refuse(
+          sign ? "\\- without a number of digits from 1 to 5"
+               : fmt::format("{}: digits of the variable are 1 to 5", shown_escape(peek())));
     }
     ++at_;
     if (shown_) {
@@ -126,9 +126,8 @@ std::optional<StringFault> string_fault(const std::vector<std::int32_t>& codes) 
 
 bool shows_variable(const std::vector<std::int32_t>& codes) {
   const std::vector<StringStep> steps = string_steps(codes);
-  return std::any_of(steps.begin(), steps.end(), [](const StringStep& step) {
-    return step.kind == StringStep::Kind::Digit;
-  });
+  return std::any_of(steps.begin(), steps.end(),
+                     [](const StringStep& step) { return step.kind == StringStep::Kind::Digit; });
 }
 
 }  // namespace rung

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
-#include <iconv.h>
 #include <utf8.h>
 
 #include <cerrno>
@@ -11,6 +10,7 @@
 #include <iterator>
 #include <utility>
 
+#include "source/code_page.hpp"
 #include "source/text_file.hpp"
 
 namespace rung {
@@ -41,21 +41,10 @@ bool is_binary(char32_t c) {
 
 // As Windows writes Shift-JIS; nothing if the bytes are not valid in it.
 std::optional<std::u32string> decode_shift_jis(std::string_view bytes) {
-  const iconv_t converter = iconv_open("UTF-8", "CP932");
-  // NOLINTNEXTLINE: how iconv says that it does not know an encoding
-  if (converter == reinterpret_cast<iconv_t>(-1)) return std::nullopt;
-  std::string in(bytes);
-  std::string out(3 * in.size() + 1, '\0');  // no character of CP932 takes more in UTF-8
-  char* from = in.data();
-  char* to = out.data();
-  std::size_t from_left = in.size();
-  std::size_t to_left = out.size();
-  const bool good = iconv(converter, &from, &from_left, &to, &to_left) == 0 && from_left == 0;
-  iconv_close(converter);
-  if (!good) return std::nullopt;
-  out.resize(out.size() - to_left);
+  const auto converted = decode(bytes, CodePage::Japanese);
+  if (!converted) return std::nullopt;
   std::u32string text;
-  utf8::unchecked::utf8to32(out.begin(), out.end(), std::back_inserter(text));
+  utf8::unchecked::utf8to32(converted->begin(), converted->end(), std::back_inserter(text));
   return text;
 }
 

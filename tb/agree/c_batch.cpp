@@ -15,11 +15,19 @@
 namespace rung::tb {
 namespace {
 
+// Device ports that the main program needs, in the order of its enum.
+std::vector<Device> harness_ports() {
+  std::vector<Device> ports = {port::uart_rx_full, port::uart_tx_ready, port::uart_rx_data,
+                               port::uart_tx_data};
+  for (int i = 0; i < port::adc_count; ++i) ports.push_back(port::at(port::adc, i));
+  return ports;
+}
+
 // The main program behind the translated ones. Its input, in 32-bit numbers: for each program the
 // tick and how many scans, for each scan how many events, for each event which device and value.
-// Its output, 16 bits each: after each scan the values of all devices, and the byte that was sent
-// or -1. A program's names are those of its devices and then the device ports of kPorts. The model
-// of the transmitter is that of compiler/LDMICRO.md: busy in the scan of a byte and in the next.
+// Its output, 16 bits each: after each scan the values of all devices, then the byte that was sent,
+// or -1. Device ports stand behind the devices. The transmitter is busy in the scan of a byte and
+// in the next one; a received byte waits until it is taken or another one comes.
 constexpr const char* kMain = R"(
 #include <stdio.h>
 #include <string.h>
@@ -33,9 +41,15 @@ struct plc {
   int count;
 };
 
+enum { RX_FULL, TX_READY, RX_DATA, TX_DATA };
+
 static int next(void) {
   int32_t value = 0;
   return fread(&value, sizeof value, 1, stdin) == 1 ? value : 0;
+}
+
+static int value_of(const struct plc_device *device) {
+  return device->bit ? *device->bit : device->word ? *device->word : 0;
 }
 
 static void set(const struct plc_device *device, int value) {
@@ -43,19 +57,13 @@ static void set(const struct plc_device *device, int value) {
   if (device->word) *device->word = (int16_t)value;
 }
 
-static int get(const struct plc_device *device) {
-  return device->bit ? *device->bit : device->word ? *device->word : 0;
-}
-
-enum { TX_READY, TX_DATA, RX_FULL, RX_DATA };
-
 static void run(const struct plc *p) {
   static const struct plc_device *at[20000];
   static int16_t values[20000];
-  const struct plc_device **ports = at + p->count;
   int tick = next();
   int scans = next();
-  int scan, i, free_scan = 0;
+  int scan, i, busy = 0;
+  const struct plc_device *const *port = at + p->count;
   for (i = 0; p->names[i]; i++) {
     for (at[i] = p->table; at[i]->name && strcmp(at[i]->name, p->names[i]) != 0;) at[i]++;
   }
@@ -64,41 +72,25 @@ static void run(const struct plc *p) {
   for (scan = 0; scan < scans; scan++) {
     int events = next();
     for (; events > 0; events--) {
-      const struct plc_device *device = at[next()];
-      set(device, next());
-      if (device == ports[RX_DATA]) set(ports[RX_FULL], 1);
+      int index = next();
+      set(at[index], next());
+      if (index == p->count + RX_DATA) set(port[RX_FULL], 1);
     }
-    set(ports[TX_READY], scan >= free_scan);
+    set(port[TX_READY], !busy);
     p->cycle();
-    for (i = 0; i < p->count; i++) values[i] = (int16_t)get(at[i]);
+    for (i = 0; i < p->count; i++) values[i] = (int16_t)value_of(at[i]);
     values[i] = -1;
-    if (scan >= free_scan && ports[TX_READY]->bit && !get(ports[TX_READY])) {
-      values[i] = (int16_t)(get(ports[TX_DATA]) & 0xFF);
-      free_scan = scan + 2;
+    if (port[TX_READY]->bit && !busy && !value_of(port[TX_READY])) {
+      values[i] = (int16_t)(value_of(port[TX_DATA]) & 255);
+      busy = 1;
+    } else {
+      busy = 0;
     }
     fwrite(values, sizeof values[0], (size_t)p->count + 1, stdout);
   }
   fflush(stdout);
 }
 )";
-
-// As the main program numbers them; the analogue channels follow.
-constexpr Device kPorts[] = {port::uart_tx_ready, port::uart_tx_data, port::uart_rx_full,
-                             port::uart_rx_data};
-
-// A port's name is never that of the variable that an analogue channel is read into.
-std::string name_in_c(const Case& one, Device device) {
-  return is_port(device.kind) ? device_name(device, one.program.dialect)
-                              : device_name(device, one.program);
-}
-
-// The devices of a case, then the ports, all by the numbers that the main program has for them.
-std::vector<Device> numbered_devices(const Case& one) {
-  std::vector<Device> devices = one.devices;
-  devices.insert(devices.end(), std::begin(kPorts), std::end(kPorts));
-  for (int i = 0; i < port::adc_count; ++i) devices.push_back(port::at(port::adc, i));
-  return devices;
-}
 
 std::string prefix_of(std::size_t i) { return fmt::format("p{}_", i); }
 
@@ -113,17 +105,20 @@ std::string source_of(std::span<const Case> cases) {
   text += kMain;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     text += fmt::format("static const char *const n{}[] = {{", i);
-    for (const Device device : numbered_devices(cases[i])) {
-      text += fmt::format("\"{}\",", name_in_c(cases[i], device));
+    const Program& program = cases[i].program;
+    for (const Device device : cases[i].devices) {
+      text += fmt::format("\"{}\",", device_name(device, program));
+    }
+    for (const Device device : harness_ports()) {
+      text += fmt::format("\"{}\",", device_name(device, program.dialect));
     }
     text += "0};\n";
   }
   text += "static const struct plc all[] = {\n";
   for (std::size_t i = 0; i < cases.size(); ++i) {
-    // The time between the scans of an LDmicro program is its own.
-    const bool elapsed = cases[i].program.dialect != Dialect::Ldmicro;
-    text += fmt::format("{{{0}Reset, {0}Cycle, {1}, {0}Devices, n{2}, {3}}},\n", prefix_of(i),
-                        elapsed ? prefix_of(i) + "Elapsed" : "0", i, cases[i].devices.size());
+    const bool own_time = cases[i].program.dialect == Dialect::Ldmicro;
+    text += fmt::format("{{{0}Reset, {0}Cycle, {3}, {0}Devices, n{1}, {2}}},\n", prefix_of(i), i,
+                        cases[i].devices.size(), own_time ? "0" : prefix_of(i) + "Elapsed");
   }
   text += fmt::format(
       "}};\nint main(void) {{\n  int i;\n  for (i = 0; i < {}; i++) run(&all[i]);\n  return "
@@ -140,7 +135,8 @@ std::string input_of(std::span<const Case> cases) {
   };
   for (const Case& one : cases) {
     std::map<Device, std::size_t> index;
-    for (const Device device : numbered_devices(one)) index.emplace(device, index.size());
+    for (const Device device : one.devices) index.emplace(device, index.size());
+    for (const Device port : harness_ports()) index.emplace(port, index.size());
     add(one.tick_us);
     add(one.scans());
     for (const auto& events : one.events) {
@@ -166,13 +162,13 @@ std::string read(const std::string& path) {
 // As many whole scans as `output` holds from `at` on.
 Behaviour behaviour_of(const Case& one, const std::string& output, std::size_t& at) {
   Behaviour behaviour;
-  std::vector<std::int16_t> values(one.devices.size() + 1);
-  const std::size_t size = values.size() * sizeof(std::int16_t);
+  const std::size_t size = (one.devices.size() + 1) * sizeof(std::int16_t);
   for (int scan = 0; scan < one.scans() && at + size <= output.size(); ++scan, at += size) {
-    std::copy_n(output.data() + at, size, reinterpret_cast<char*>(values.data()));
-    behaviour.states.emplace_back(values.begin(), values.end() - 1);
+    std::vector<std::int16_t>& state = behaviour.states.emplace_back(one.devices.size() + 1);
+    std::copy_n(output.data() + at, size, reinterpret_cast<char*>(state.data()));
     std::vector<int>& sent = behaviour.sent.emplace_back();
-    if (values.back() >= 0) sent.push_back(values.back());
+    if (state.back() >= 0) sent.push_back(state.back());
+    state.pop_back();
   }
   return behaviour;
 }

@@ -19,7 +19,7 @@ struct CRun {
 // Fast: tcc, which takes a twentieth of the time; without one, strict.
 enum class CCompiler : std::uint8_t { Strict, Fast };
 
-// Translates, compiles and runs (an LDmicro program with the peripherals of LDmicro's simulator)
+// An LDmicro program has the peripherals of LDmicro's simulator. Translates, compiles and runs
 // `cases`; files named after `name` are left in `folder`.
 CRun run_as_c(std::span<const Case> cases, CCompiler compiler, const std::string& folder,
               const std::string& name);

@@ -54,7 +54,7 @@ std::string ldmicro_text_of(std::uint64_t seed) {
 std::optional<Case> make_ldmicro_case(std::uint64_t seed, const std::string& text,
                                       std::string& messages, const Case* original) {
   Diagnostics diagnostics;
-  const auto source = decode_text(text, fmt::format("random-{}.ld", seed), diagnostics);
+  const auto source = decode_ldmicro(text, fmt::format("random-{}.ld", seed), diagnostics);
   std::optional<Program> program;
   if (source) program = parse_ldmicro(*source, diagnostics);
   if (!program) {

@@ -3,18 +3,15 @@
 //
 // RUNG_SEED=N runs program N alone; RUNG_COUNT=N runs that many programs (10,000 if not given);
 // RUNG_FAMILIES=timers,zones keeps to these families (programs/random_melsec.hpp).
+#include "agree/processors.hpp"
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
 #include <cstdlib>
-#include <stdexcept>
 
 #include "agree/case.hpp"
 #include "agree/environment.hpp"
-#include "driver/compile.hpp"
-#include "lockstep/lockstep.hpp"
 #include "programs/shrink.hpp"
 
 namespace rung::tb {
@@ -24,63 +21,6 @@ constexpr std::uint64_t kDefaultCount = 10000;
 // Of the up to 20 scans that the C back end is compared over: what a processor does in one scan
 // does not depend on how many came before.
 constexpr std::size_t kMostScans = 8;
-
-class Processors {
- public:
-  Processors() {
-    const isa::Config& config = *isa::find_config("ecp5");
-    for (int mpu = 1; mpu <= 3; ++mpu) {
-      processors_[mpu - 1] = make_processor(static_cast<isa::Mpu>(mpu), config);
-    }
-  }
-
-  // The first difference on any processor, or what a pass of the compiler found wrong with another,
-  // or nothing. Counts programs that a processor's memories do not hold.
-  std::string run(const Case& one) {
-    try {
-      return run_all(one);
-    } catch (const std::logic_error& error) {
-      return fmt::format("seed {}: {}\n", one.seed, error.what());
-    }
-  }
-
-  int runs() const { return runs_; }
-  int refused() const { return refused_; }
-
- private:
-  std::string run_all(const Case& one) {
-    for (const auto& processor : processors_) {
-      CompileOptions options;
-      options.mpu = processor->mpu();
-      options.config = &processor->config();
-      options.search.tries = 1;
-      options.waiting_muldiv = one.seed % 4 == 0;  // the other way to compile, now and then
-      Diagnostics diagnostics;
-      const auto compiled = compile(one.program, options, diagnostics);
-      if (!compiled) {
-        ++refused_;
-        continue;
-      }
-      ++runs_;
-      Machine machine(compiled->image, *processor, one.tick_us);
-      Lockstep lockstep(one.program, machine);
-      const std::size_t scans = std::min(one.events.size(), kMostScans);
-      for (std::size_t scan = 0; scan < scans; ++scan) {
-        auto difference = lockstep.scan(one.events[scan]);
-        if (!difference && scan + 1 == scans) difference = lockstep.compare_state();
-        if (difference) {
-          return fmt::format("seed {}, MPU{}, tick {} us: {}", one.seed,
-                             static_cast<int>(options.mpu), one.tick_us, describe(*difference));
-        }
-      }
-    }
-    return {};
-  }
-
-  std::array<std::unique_ptr<Processor>, 3> processors_;
-  int runs_ = 0;
-  int refused_ = 0;
-};
 
 // Two tests, so that two cores share the programs.
 class RandomMelsec : public testing::TestWithParam<int> {
@@ -106,7 +46,7 @@ class RandomMelsec : public testing::TestWithParam<int> {
   }
 
   std::vector<Family> families_ = families_of_environment();
-  Processors processors_;
+  Processors processors_{kMostScans};
 };
 
 TEST_P(RandomMelsec, ProcessorsAgree) {

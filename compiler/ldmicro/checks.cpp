@@ -7,6 +7,8 @@
 #include <map>
 #include <set>
 
+#include "source/text_file.hpp"
+
 namespace rung {
 namespace {
 

@@ -95,8 +95,9 @@ def verilog(isa, configs, ports):
         out.append(f"`define RUNG_PORT_{port['name'].upper()} {port['number']}")
         if port["count"] > 1:
             out.append(f"`define RUNG_PORT_{port['name'].upper()}_COUNT {port['count']}")
-    out.append("\n// Parameter lists of the named configurations: mpu3 #(`RUNG_ECP5_MPU3) mpu (...)")
+    out.append("\n// Clocks and parameter lists of the named configurations: mpu3 #(`RUNG_ECP5_MPU3) mpu (...)")
     for name, config in configs["config"].items():
+        out.append(f"`define RUNG_{name.upper()}_CLOCK_HZ {config['clock_hz']}")
         for mpu in PROCESSORS:
             pairs = ", ".join(f".{k}({v})" for k, v in parameters(config, mpu).items())
             out.append(f"`define RUNG_{name.upper()}_{mpu.upper()} {pairs}")

@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "image/image_file.hpp"
+#include "ldmicro/ldmicro.hpp"
 #include "melsec/comments.hpp"
 #include "melsec/melsec.hpp"
 #include "melsec/paper.hpp"
@@ -21,8 +22,8 @@ std::optional<std::map<Device, std::string>> read_comments(const std::string& fi
   return text ? parse_comments(*text, dialect, diagnostics) : std::nullopt;
 }
 
-std::optional<Program> parse(std::string_view bytes, const Options& options,
-                             std::optional<Dialect> dialect, Diagnostics& diagnostics) {
+std::optional<Program> parse_list_or_csv(std::string_view bytes, const Options& options,
+                                         std::optional<Dialect> dialect, Diagnostics& diagnostics) {
   const auto text = decode_text(bytes, options.program, diagnostics);
   if (!text) return std::nullopt;
   auto program = parse_melsec(*text, dialect, diagnostics);
@@ -35,13 +36,26 @@ std::optional<Program> parse(std::string_view bytes, const Options& options,
   return program;
 }
 
-// Forms of programs that are not lists are told apart by their suffix.
-bool check_form(const std::string& file, Diagnostics& diagnostics) {
+std::optional<Program> parse_ld_file(std::string_view bytes, const Options& options,
+                                     Diagnostics& diagnostics) {
+  if (!options.comments.empty()) {
+    throw UsageError("--comments is for lists; an LDmicro program has names of its own");
+  }
+  const auto text = decode_ldmicro(bytes, options.program, diagnostics);
+  return text ? parse_ldmicro(*text, diagnostics) : std::nullopt;
+}
+
+bool is_ld_file(const std::string& file) {
   const std::string suffix = std::filesystem::path(file).extension().string();
-  if (suffix != ".ld") return true;
-  diagnostics.error(file, {}, ".ld is an LDmicro program, which this version does not read",
-                    "write the program as an instruction list");
-  return false;
+  return suffix == ".ld" || suffix == ".LD";
+}
+
+// The dialect that the program's suffix or an option gives; nothing if the program decides.
+std::optional<Dialect> known_dialect(const Options& options, std::optional<Dialect> fallback) {
+  const std::optional<Dialect> asked = dialect_of(options);
+  if (!is_ld_file(options.program)) return asked ? asked : fallback;
+  if (options.paper) throw UsageError("--paper is for lists; this is an LDmicro program");
+  return asked ? asked : Dialect::Ldmicro;
 }
 
 // An image is for one processor and was compiled once: what would change that is wrong usage.
@@ -66,7 +80,7 @@ int report(const Diagnostics& diagnostics) {
 
 std::optional<Input> read_input(const Options& options, bool images,
                                 std::optional<Dialect> fallback, Diagnostics& diagnostics) {
-  const std::optional<Dialect> asked = dialect_of(options);
+  static_cast<void>(dialect_of(options));  // wrong usage before a file that cannot be read
   const auto bytes = read_bytes(options.program, diagnostics);
   if (!bytes) return std::nullopt;
   Input input;
@@ -77,8 +91,10 @@ std::optional<Input> read_input(const Options& options, bool images,
     input.dialect = *find_dialect(input.image->dialect);
     return input;
   }
-  if (!check_form(options.program, diagnostics)) return std::nullopt;
-  input.program = parse(*bytes, options, asked ? asked : fallback, diagnostics);
+  const std::optional<Dialect> dialect = known_dialect(options, fallback);
+  input.program = dialect == Dialect::Ldmicro
+                      ? parse_ld_file(*bytes, options, diagnostics)
+                      : parse_list_or_csv(*bytes, options, dialect, diagnostics);
   if (!input.program) return std::nullopt;
   input.dialect = input.program->dialect;
   return input;

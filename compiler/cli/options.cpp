@@ -16,8 +16,8 @@ std::vector<std::string> config_names() {
 }
 
 void define_common(CLI::App& command, Options& options) {
-  command.add_option("--dialect", options.dialect, "of a list or CSV; else the program decides")
-      ->check(CLI::IsMember({"paper", "fx", "q"}));
+  command.add_option("--dialect", options.dialect, "of the program; else it decides itself")
+      ->check(CLI::IsMember({"paper", "fx", "q", "ldmicro"}));
   command.add_option("--config", options.config, "memory sizes and latencies")
       ->check(CLI::IsMember(config_names()))
       ->capture_default_str();
@@ -44,7 +44,7 @@ void define_compile(CLI::App& app, Options& options) {
       add_command(app, options, Command::Compile, "compile", "compile a program for a processor");
   command
       ->add_option("PROGRAM", options.program,
-                   "instruction list or CSV export; - is standard input")
+                   "instruction list, CSV export or LDmicro program (.ld); - is standard input")
       ->required();
   define_common(*command, options);
   define_mpu(*command, options, false);
@@ -63,7 +63,9 @@ void define_compile(CLI::App& app, Options& options) {
 
 void define_run(CLI::App& app, Options& options) {
   CLI::App* command = add_command(app, options, Command::Run, "run", "run a program or an image");
-  command->add_option("PROGRAM", options.program, "instruction list, CSV export or image")
+  command
+      ->add_option("PROGRAM", options.program,
+                   "instruction list, CSV export, LDmicro program (.ld) or image")
       ->required();
   define_common(*command, options);
   define_mpu(*command, options, true);
@@ -79,7 +81,9 @@ void define_run(CLI::App& app, Options& options) {
 void define_check(CLI::App& app, Options& options) {
   CLI::App* command =
       add_command(app, options, Command::Check, "check", "run and compare with a golden trace");
-  command->add_option("PROGRAM", options.program, "instruction list, CSV export or image")
+  command
+      ->add_option("PROGRAM", options.program,
+                   "instruction list, CSV export, LDmicro program (.ld) or image")
       ->required();
   define_common(*command, options);
   define_mpu(*command, options, true);
@@ -92,11 +96,16 @@ void define_check(CLI::App& app, Options& options) {
 void define_translate(CLI::App& app, Options& options) {
   CLI::App* command =
       add_command(app, options, Command::Translate, "translate", "write a program in another form");
-  command->add_option("PROGRAM", options.program, "instruction list or CSV export")->required();
+  command
+      ->add_option("PROGRAM", options.program,
+                   "instruction list, CSV export or LDmicro program (.ld)")
+      ->required();
   define_common(*command, options);
-  command->add_option("--to", options.target, "c: ANSI C; il: normalised instruction list")
+  command
+      ->add_option("--to", options.target,
+                   "c: ANSI C; il: normalised instruction list; ld: LDmicro program")
       ->required()
-      ->check(CLI::IsMember({"c", "il"}));
+      ->check(CLI::IsMember({"c", "il", "ld"}));
   command->add_option("-o,--output", options.output, "file; else standard output");
 }
 

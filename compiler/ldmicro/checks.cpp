@@ -109,8 +109,8 @@ class Checks {
     }
     if (instruction.op == Op::Rto && reset_.count(device) == 0) {
       warn(instruction,
-           fmt::format("{}: nothing resets {}, so that it stays on once it is", shown(instruction.text),
-                       device_name(device, program_)),
+           fmt::format("{}: nothing resets {}, so that it stays on once it is",
+                       shown(instruction.text), device_name(device, program_)),
            fmt::format("put RES {} where it is to begin again", device_name(device, program_)));
     }
   }

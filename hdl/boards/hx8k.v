@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Board top for the iCE40-HX8K breakout: one processor in the `hx8k` configuration behind the serial
-// link. Lamps: D9 done, D8 busy, D7 error. The processor runs on the board's 12 MHz clock; the clock that
-// place and route reaches is in reports/area-timing.md.
+// link, with the UART and the PWM output of its program. Lamps: D9 done, D8 busy, D7 error. The
+// processor runs on the board's 12 MHz clock; the clock that place and route reaches is in
+// reports/area-timing.md.
 `default_nettype none
 `include "rung_isa.vh"
 
@@ -13,6 +14,9 @@ module hx8k #(
     input  wire       csn_i,
     input  wire       sdi_i,
     output wire       sdo_o,
+    input  wire       rx_i,
+    output wire       tx_o,
+    output wire       pwm_o,
     output wire [7:0] led_o
 );
 
@@ -26,6 +30,7 @@ module hx8k #(
     if (MPU == 1) begin : gen_mpu1
       board_core #(
           .MPU(1),
+          .CLOCK_HZ(`RUNG_HX8K_CLOCK_HZ),
           `RUNG_HX8K_MPU1
       ) core (
           .clk_i  (clk_12mhz_i),
@@ -33,6 +38,9 @@ module hx8k #(
           .csn_i  (csn_i),
           .sdi_i  (sdi_i),
           .sdo_o  (sdo_o),
+          .rx_i   (rx_i),
+          .tx_o   (tx_o),
+          .pwm_o  (pwm_o),
           .done_o (done),
           .busy_o (busy),
           .error_o(error)
@@ -40,6 +48,7 @@ module hx8k #(
     end else if (MPU == 2) begin : gen_mpu2
       board_core #(
           .MPU(2),
+          .CLOCK_HZ(`RUNG_HX8K_CLOCK_HZ),
           `RUNG_HX8K_MPU2
       ) core (
           .clk_i  (clk_12mhz_i),
@@ -47,6 +56,9 @@ module hx8k #(
           .csn_i  (csn_i),
           .sdi_i  (sdi_i),
           .sdo_o  (sdo_o),
+          .rx_i   (rx_i),
+          .tx_o   (tx_o),
+          .pwm_o  (pwm_o),
           .done_o (done),
           .busy_o (busy),
           .error_o(error)
@@ -54,6 +66,7 @@ module hx8k #(
     end else begin : gen_mpu3
       board_core #(
           .MPU(3),
+          .CLOCK_HZ(`RUNG_HX8K_CLOCK_HZ),
           `RUNG_HX8K_MPU3
       ) core (
           .clk_i  (clk_12mhz_i),
@@ -61,6 +74,9 @@ module hx8k #(
           .csn_i  (csn_i),
           .sdi_i  (sdi_i),
           .sdo_o  (sdo_o),
+          .rx_i   (rx_i),
+          .tx_o   (tx_o),
+          .pwm_o  (pwm_o),
           .done_o (done),
           .busy_o (busy),
           .error_o(error)

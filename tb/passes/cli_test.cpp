@@ -158,7 +158,7 @@ TEST_F(Cli, WrongInputIsRefusedAndLeavesNothing) {
       {"binary.il", std::string("LD\0X0\x01\x02", 7), ":1:1: error:"},
       {"large.il", large + "END\n", ":1:1: error: the program needs"},
       {"image.img", "RUNGIMG\x01 damaged", ":1:1: error:"},
-      {"ladder.ld", "LDmicro0.1\n", ":1:1: error: .ld"},
+      {"ladder.ld", "LDmicro0.1\n", ":1:1: error: this is no LDmicro program"},
       {"export.csv", "\"0\"\t\"\"\t\"LD\"\n", ":1:"},
       {"timer.il", "LD X0\nOUT T0 K40000\nEND\n", ":2:"},
       {"jump.il", "P1\nLD X0\nOUT Y0\nLD X1\nCJ P1\nEND\n", ":5:"},

@@ -10,6 +10,6 @@ void PlcOutput_Yheat(uint8_t value) { board_output(0, value); }
 void PlcOutput_Ylow(uint8_t value) { board_output(1, value); }
 void PlcOutput_Ys0(uint8_t value) { board_output(2, value); }
 void PlcOutput_Ys3(uint8_t value) { board_output(3, value); }
-int16_t PlcAdc_room0(void) { return board_sample(0); }
+int16_t PlcAdc_Aroom(void) { return board_sample(0); }
 
 void board_scan(void) { PlcCycle(); }

@@ -12,10 +12,11 @@
 namespace rung::tb {
 namespace {
 
+constexpr int kInputs = 5;
 // Of the ATmega328P, as the program sees them.
 constexpr int kPortB = 0x25;
 constexpr int kOcr2B = 0xB4;
-constexpr int kScanPin = 5;             // of port C
+constexpr int kScanPin = 5;              // of port C
 constexpr std::uint32_t kSupply = 5115;  // mV: 5 to each step of the converter
 constexpr std::uint64_t kMostCycles = 50'000'000;
 
@@ -80,8 +81,13 @@ bool SimulatedBoard::output(int number) const { return (avr_->data[kPortB] >> nu
 int SimulatedBoard::pwm_compare() const { return avr_->data[kOcr2B]; }
 
 void SimulatedBoard::power_cycle() {
-  std::memset(avr_->data + 0x100, 0, avr_->ramend + 1 - 0x100);
+  in_scan_ = false;
   avr_reset(avr_);
+  // The pins read 0 now, which the simulator does not tell those that drive them.
+  for (int number = 0; number < kInputs; ++number) {
+    input(number, true);
+    input(number, false);
+  }
 }
 
 void SimulatedBoard::on_scan(avr_irq_t*, std::uint32_t value, void* board) {

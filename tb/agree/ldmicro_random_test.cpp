@@ -8,10 +8,12 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <stdexcept>
 
 #include "agree/c_batch.hpp"
 #include "agree/environment.hpp"
 #include "agree/ldmicro_case.hpp"
+#include "agree/vm_run.hpp"
 #include "programs/shrink.hpp"
 
 namespace rung::tb {
@@ -42,7 +44,7 @@ class Agreement {
     const CRun c = run_as_c(cases_, compiler_, RUNG_SCRATCH, name_);
     for (std::size_t i = 0; i < cases_.size() && i < c.behaviours.size(); ++i) {
       const Behaviour expected = run_ldmicro_reference(cases_[i], &coverage_);
-      const std::string found = difference(cases_[i], expected, c.behaviours[i], "C");
+      const std::string found = difference_of(cases_[i], expected, c.behaviours[i]);
       if (!found.empty()) return report(cases_[i], found);
     }
     ASSERT_EQ(c.failure, "");
@@ -63,13 +65,24 @@ class Agreement {
            << one.text << "the same with fewer elements: " << difference_of(one, small) << small;
   }
 
+  // Of C, or if it does the same, of byte code.
+  static std::string difference_of(const Case& one, const Behaviour& expected, const Behaviour& c) {
+    std::string found = difference(one, expected, c, "C");
+    if (!found.empty()) return found;
+    try {
+      return difference(one, expected, run_as_bytecode(one), "byte code");
+    } catch (const std::runtime_error& error) {
+      return fmt::format("seed {}: byte code: {}\n", one.seed, error.what());
+    }
+  }
+
   std::string difference_of(const Case& original, const std::string& text) const {
     std::string messages;
     const std::optional<Case> one = make_ldmicro_case(original.seed, text, messages, &original);
     if (!one) return {};
     const CRun c = run_as_c({&*one, 1}, compiler_, RUNG_SCRATCH, name_ + "-shrink");
     if (c.behaviours.empty()) return {};
-    return difference(*one, run_ldmicro_reference(*one), c.behaviours[0], "C");
+    return difference_of(*one, run_ldmicro_reference(*one), c.behaviours[0]);
   }
 
   std::string name_;
@@ -215,7 +228,7 @@ constexpr const char* kToHappen[] = {"CONTACTS 0>0",
 // Two tests, so that two cores share the programs.
 class RandomLdmicro : public testing::TestWithParam<int> {};
 
-TEST_P(RandomLdmicro, ReferenceAndCAgree) {
+TEST_P(RandomLdmicro, ReferenceCAndByteCodeAgree) {
   Agreement agreement(fmt::format("ldmicro{}", GetParam()));
   if (std::getenv("RUNG_SEED") != nullptr) {
     if (GetParam() != 0) return;

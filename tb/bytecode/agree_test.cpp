@@ -11,7 +11,7 @@
 
 #include "agree/case.hpp"
 #include "agree/environment.hpp"
-#include "bytecode/vm_engine.hpp"
+#include "agree/vm_run.hpp"
 #include "programs/shrink.hpp"
 
 namespace rung::tb {
@@ -22,16 +22,7 @@ constexpr std::uint64_t kDefaultCount = 2000;
 // The first difference, or nothing.
 std::string run(const Case& one) {
   try {
-    VmEngine engine(one.program, one.tick_us);
-    Behaviour behaviour;
-    for (const auto& events : one.events) {
-      engine.apply(events);
-      engine.scan();
-      std::vector<std::int16_t>& state = behaviour.states.emplace_back();
-      for (const Device device : one.devices) state.push_back(engine.value(device));
-      behaviour.sent.push_back(engine.sent());
-    }
-    return difference(one, run_reference(one), behaviour, "byte code");
+    return difference(one, run_reference(one), run_as_bytecode(one), "byte code");
   } catch (const std::exception& error) {
     return fmt::format("seed {}: {}\n", one.seed, error.what());
   }

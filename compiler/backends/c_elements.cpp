@@ -46,15 +46,16 @@ void CRoutine::begin_rungs() {
 
 bool CRoutine::element(const Instruction& instruction) {
   CSource& body = unit_.body;
-  const auto branch = [&](std::string_view what, int depth) {
-    return local(fmt::format("{}{}", what, depth), true);
+  const auto branch = [&](std::string_view what, int depth, bool reads = true) {
+    return local(fmt::format("{}{}", what, depth), reads);
   };
   switch (instruction.op) {
     case Op::Rung:
-      body.line("{} = {};", top(), locals_.contains("relay") ? "relay" : "1");
+      body.line("{} = {};", top(false), locals_.contains("relay") ? "relay" : "1");
       return true;
     case Op::Parallel:
-      body.line("{} = {};", branch("in", parallels_), top());
+      // Only a second branch reads it.
+      body.line("{} = {};", branch("in", parallels_, false), top());
       body.line("{} = 0;", branch("any", parallels_));
       ++parallels_;
       return true;
@@ -70,7 +71,7 @@ bool CRoutine::element(const Instruction& instruction) {
     case Op::Short:
       return true;
     case Op::Open:
-      body.line("{} = 0;", top());
+      body.line("{} = 0;", top(false));
       return true;
     case Op::Osr:
       body.line("{0} = {1}(&{2}, {0});", top(), unit_.helpers.use(CHelper::Rise),

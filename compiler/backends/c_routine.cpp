@@ -114,7 +114,9 @@ std::string CRoutine::load() {
   return local(fmt::format("r{}", blocks_++), false);
 }
 
-std::string CRoutine::top() { return local(fmt::format("r{}", std::max(blocks_ - 1, 0)), true); }
+std::string CRoutine::top(bool reads) {
+  return local(fmt::format("r{}", std::max(blocks_ - 1, 0)), reads);
+}
 
 std::string CRoutine::power() {
   std::string power;

@@ -51,10 +51,11 @@ class Check {
     for (const auto& [device, name] : program_.names) {
       if (is_port(device.kind)) continue;
       ++names;
-      if (name.size() <= kName + (name.ends_with(":w") ? 2 : 0)) continue;
+      const std::size_t letters = name.size() - (name.ends_with(":w") ? 2 : 0);
+      if (letters <= kName) continue;
       error(place_of(device),
             fmt::format("{}: a name of {} letters, of which LDmicro 2.3 holds {}", shown(name),
-                        name.size(), kName),
+                        letters, kName),
             "give it a shorter name");
     }
     if (names <= kNames) return;

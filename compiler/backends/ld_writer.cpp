@@ -116,7 +116,7 @@ class LdWriter {
       error(position,
             fmt::format("{}: a line of {} characters, of which LDmicro 2.3 reads {}",
                         shown(line.substr(0, line.find(' '))), line.size(), ld_limits::kLine),
-            "use shorter names or tables");
+            "use shorter names or texts, or smaller tables");
     }
     const std::size_t indent = kIndent * levels_.size();
     if (indent + line.size() <= ld_limits::kLine) text_.append(indent, ' ');
@@ -178,10 +178,9 @@ class LdWriter {
     Level& level = levels_.back();
     if (++level.items != ld_limits::kItems + 1) return;
     error(position,
-          fmt::format("this is number {} of the {} that begin in line {}, of which LDmicro 2.3 "
-                      "holds {}",
-                      level.items, level.parallel ? "branches" : "elements in a row",
-                      level.position.line, ld_limits::kItems),
+          fmt::format("{} {} of the {} that begins in line {}, of which LDmicro 2.3 holds {}",
+                      level.parallel ? "branch" : "element", level.items,
+                      level.parallel ? "PARALLEL" : "row", level.position.line, ld_limits::kItems),
           level.parallel ? "put a PARALLEL of its own around some of them"
                          : "keep an inner result in a relay, in a rung of its own");
   }
@@ -197,8 +196,9 @@ class LdWriter {
             fmt::format("COMMENT: {} bytes, of which LDmicro 2.3 holds {}", bytes,
                         ld_limits::kComment),
             "part it into two rungs");
+    } else {
+      add(*line, instruction.position);
     }
-    add(*line, instruction.position);
   }
 
   const Program& program_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bytecode/code.hpp"
 
+#include <utility>
+
 #include "bytecode/opcodes.hpp"
 
 namespace rung::bytecode {

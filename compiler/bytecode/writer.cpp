@@ -132,15 +132,25 @@ Section names_of(const Program& source, const Layout& layout) {
   return section;
 }
 
-bool check_sizes(const Program& source, const Layout& layout, Diagnostics& diagnostics) {
+// Whether byte code's numbers hold what the program has.
+bool fits(const Program& source, const Layout& layout, Diagnostics& diagnostics) {
   const auto limit = static_cast<int>(RUNG_NUMBERS);
-  if (layout.bits() <= limit && layout.words() <= limit) return true;
-  diagnostics.error(
-      source.file, {},
-      fmt::format("{} bit and {} word devices, where byte code numbers {} of each at most",
-                  layout.bits(), layout.words(), limit),
-      "name fewer devices, or shorter ranges and index windows");
-  return false;
+  if (layout.bits() > limit || layout.words() > limit) {
+    diagnostics.error(
+        source.file, {},
+        fmt::format("{} bit and {} word devices, where byte code numbers {} of each at most",
+                    layout.bits(), layout.words(), limit),
+        "name fewer devices, or shorter ranges and index windows");
+    return false;
+  }
+  if (source.ldmicro && source.ldmicro->cycle_us >= static_cast<std::int64_t>(RUNG_TIMES)) {
+    diagnostics.error(source.file, source.ldmicro->cycle_position,
+                      fmt::format("a cycle of {} us, where byte code has {} at most",
+                                  source.ldmicro->cycle_us, RUNG_TIMES - 1),
+                      "choose a shorter cycle");
+    return false;
+  }
+  return true;
 }
 
 }  // namespace
@@ -148,7 +158,7 @@ bool check_sizes(const Program& source, const Layout& layout, Diagnostics& diagn
 std::optional<std::string> write(const Program& source, const core::Program& program,
                                  const Options& options, Diagnostics& diagnostics) {
   const Layout layout(source, program);
-  if (!check_sizes(source, layout, diagnostics)) return std::nullopt;
+  if (!fits(source, layout, diagnostics)) return std::nullopt;
   const StackPlan plan = plan_stacks(program);
   const std::string code = encode(program, layout, plan);
   Section ticks = ticks_of(program, layout);

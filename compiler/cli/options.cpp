@@ -103,10 +103,12 @@ void define_translate(CLI::App& app, Options& options) {
   define_common(*command, options);
   command
       ->add_option("--to", options.target,
-                   "c: ANSI C; il: normalised instruction list; ld: LDmicro program")
+                   "c: ANSI C; bytecode: for the interpreter of compiler/bytecode; il: normalised "
+                   "instruction list; ld: LDmicro program")
       ->required()
-      ->check(CLI::IsMember({"c", "il", "ld"}));
+      ->check(CLI::IsMember({"c", "bytecode", "il", "ld"}));
   command->add_option("-o,--output", options.output, "file; else standard output");
+  command->add_flag("--listing", options.listing, "print byte code as text");
 }
 
 }  // namespace

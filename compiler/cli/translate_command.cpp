@@ -1,19 +1,40 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "backends/c_writer.hpp"
 #include "backends/ld_writer.hpp"
 #include "backends/list_writer.hpp"
+#include "bytecode/listing.hpp"
+#include "bytecode/writer.hpp"
 #include "cli/input.hpp"
+#include "lower/lower.hpp"
 #include "source/text_file.hpp"
 
 namespace rung::cli {
 namespace {
 
+std::optional<std::string> to_bytecode(const Program& program, const Options& options,
+                                       Diagnostics& diagnostics) {
+  auto file = bytecode::write(program, lower::lower(program), {}, diagnostics);
+  return file && options.listing ? bytecode::listing(*file) : std::move(file);
+}
+
+// Bytes are not for a terminal, and a listing there is only of byte code.
+void check_usage(const Options& options) {
+  const bool bytecode = options.target == "bytecode";
+  if (options.listing && !bytecode) throw UsageError("--listing is for --to bytecode");
+  const bool to_output = options.output.empty() || options.output == "-";
+  if (bytecode && !options.listing && to_output && isatty(STDOUT_FILENO) != 0) {
+    throw UsageError("byte code is no text for a terminal: give it a file with -o, or --listing");
+  }
+}
+
 std::optional<std::string> translate(const Program& program, const Options& options,
                                      Diagnostics& diagnostics) {
   const bool is_ld = program.dialect == Dialect::Ldmicro;
   if (options.target == "c") return to_c(program);
+  if (options.target == "bytecode") return to_bytecode(program, options, diagnostics);
   if (options.target == "ld" && is_ld) return to_ld(program, diagnostics);
   if (options.target == "il" && !is_ld) return to_list(program);
   diagnostics.error(options.program, {},
@@ -21,13 +42,14 @@ std::optional<std::string> translate(const Program& program, const Options& opti
                             "lack elements that it has"
                           : "an instruction list cannot be written as an LDmicro program: LDmicro "
                             "lacks instructions that lists have",
-                    "translate it to c, or to " + std::string(is_ld ? "ld" : "il"));
+                    "translate it to c or bytecode, or to " + std::string(is_ld ? "ld" : "il"));
   return std::nullopt;
 }
 
 }  // namespace
 
 int translate_command(const Options& options) {
+  check_usage(options);
   Diagnostics diagnostics;
   const auto program = read_program(options, diagnostics);
   if (!program) return report(diagnostics);

@@ -111,10 +111,17 @@ struct TickWord {
   std::int64_t base_us = 0;
 };
 
+// A word with a value that stands there before the first scan and that nothing writes.
+struct ConstantWord {
+  Device device;
+  std::int16_t value = 0;
+};
+
 struct Program {
   std::vector<Instruction> instructions;
   std::vector<Network> networks;  // consecutive, covering all instructions
   std::vector<TickWord> ticks;
+  std::vector<ConstantWord> constants;  // of tables
   // Devices that lie together in memory, in order, because an index goes over them.
   std::vector<std::vector<Device>> windows;
 };

@@ -172,7 +172,7 @@ class Assembler {
       case isa::Format::None:
         return emit(opcode);
       case isa::Format::Bit:
-        return bit(opcode, *target(0));
+        return bit(opcode, *target(0), now_->always);
       default:
         return word(opcode, source(0), source(1), target(0));
     }

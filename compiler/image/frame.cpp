@@ -52,6 +52,9 @@ Image start_image(const Program& source, const core::Program& program, const Add
   for (const core::TickWord& word : program.ticks) {
     image.ticks.push_back({addresses.of(word.device), word.base_us});
   }
+  for (const core::ConstantWord& word : program.constants) {
+    image.constants.push_back({addresses.of(word.device), word.value});
+  }
   for (const Instruction& instruction : source.instructions) {
     image.source.push_back({instruction.position, instruction.text});
   }

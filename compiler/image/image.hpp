@@ -31,6 +31,12 @@ struct ImageTicks {
   std::int64_t base_us = 0;
 };
 
+// A word that has its value before the first scan and keeps it.
+struct ImageConstant {
+  int address = 0;
+  std::int16_t value = 0;
+};
+
 // A source instruction, for listings and messages.
 struct SourceLine {
   SourcePosition position;
@@ -62,6 +68,7 @@ struct Image {
   std::vector<std::uint8_t> lut;     // function of each row, from row 0
   std::vector<ImageDevice> devices;  // those that the program names, by kind and number
   std::vector<ImageTicks> ticks;
+  std::vector<ImageConstant> constants;
   // Device ports from the first up to the highest that the program uses (hdl/isa/ports.toml).
   int port_bits = 0;
   int port_words = 0;

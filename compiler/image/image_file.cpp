@@ -60,6 +60,9 @@ json to_json(const Image& image) {
   json ticks = json::array();
   for (const ImageTicks& each : image.ticks) ticks.push_back({each.address, each.base_us});
   out["ticks"] = std::move(ticks);
+  json constants = json::array();
+  for (const ImageConstant& each : image.constants) constants.push_back({each.address, each.value});
+  out["constants"] = std::move(constants);
   json devices = json::array();
   for (const ImageDevice& device : image.devices) {
     devices.push_back({device.name, static_cast<int>(device.device.kind), device.device.number,
@@ -111,6 +114,9 @@ void check(const Image& image, const isa::Config& config) {
   require(image.port_bits >= 0 && image.port_bits <= config.bit_devices, "port bits");
   require(image.port_words >= 0 && image.port_words <= config.word_devices, "port words");
   require(image.cycle_us >= 0 && image.baud >= 0, "cycle");
+  for (const ImageConstant& each : image.constants) {
+    require(inside(each.address, config.word_devices), "address of a constant");
+  }
   const Statistics& s = image.statistics;
   require(image.first_hidden_bit >= 0 && s.bit_devices <= config.bit_devices, "bit devices");
   require(image.first_hidden_word >= 0 && s.word_devices <= config.word_devices, "word devices");
@@ -156,6 +162,9 @@ Image from_json(const json& in) {
   image.quiet = in.at("quiet").get<std::vector<std::vector<std::uint8_t>>>();
   for (const json& each : in.at("ticks")) {
     image.ticks.push_back({each.at(0).get<int>(), each.at(1).get<std::int64_t>()});
+  }
+  for (const json& each : in.at("constants")) {
+    image.constants.push_back({each.at(0).get<int>(), each.at(1).get<std::int16_t>()});
   }
   for (const json& line : in.at("source")) {
     image.source.push_back(

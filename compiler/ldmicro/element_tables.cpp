@@ -12,21 +12,21 @@ namespace {
 // More than any processor has variables.
 constexpr std::int64_t kMaxStages = 10000;
 
-// The `count` that the line gives, which must be there as numbers behind it, `each` of them a row.
-std::size_t row_count(LdElement& element, std::size_t each) {
+// The number of rows that the line gives; that many must be there behind the `between` words that
+// follow it, each of `words` words.
+std::size_t row_count(LdElement& element, const char* rows, std::size_t words,
+                      std::size_t between = 0) {
   const LdWord& word = element.peek();
   const std::int64_t count = element.whole_number();
   if (!element.good()) return 0;
-  if (count < 0) {
-    element.refuse(word.position, fmt::format("{} rows in a table", count));
-    return 0;
+  const std::size_t found = (element.left() - between) / words;
+  if (count >= 0 && static_cast<std::uint64_t>(count) <= found) {
+    return static_cast<std::size_t>(count);
   }
-  const std::size_t left = element.left() / each;
-  if (static_cast<std::size_t>(count) <= left) return static_cast<std::size_t>(count);
-  element.refuse(
-      word.position,
-      fmt::format("{}: {} rows are announced and {} follow", element.line().keyword(), count, left),
-      "write them all, or the number that there are");
+  element.refuse(word.position,
+                 fmt::format("{}: {} {} are announced, and there are {}", element.line().keyword(),
+                             count, rows, found),
+                 "write them all, or the number that there are");
   return 0;
 }
 
@@ -80,15 +80,15 @@ std::int32_t code_of(LdElement& element) {
 }
 
 void read_codes(LdElement& element, Instruction& instruction) {
-  const std::size_t count = row_count(element, 1);
+  const std::size_t count = row_count(element, "codes", 1);
   for (std::size_t i = 0; i < count && element.good(); ++i) {
     instruction.table.push_back(code_of(element));
   }
   // Ignored by LDmicro 2.3; that the string ends early is easily overlooked.
   if (element.good() && !element.at_end()) {
     element.refuse(element.peek().position,
-                   fmt::format("FORMATTED_STRING: {} codes are announced and {} more follow", count,
-                               element.left()),
+                   fmt::format("FORMATTED_STRING: {} codes are announced, and {} more follow",
+                               count, element.left()),
                    "write the number of codes that there are");
   }
 }
@@ -134,21 +134,12 @@ void read_shift_register(LdElement& element, Instruction& instruction) {
 
 void read_look_up_table(LdElement& element, Instruction& instruction) {
   read_target(element, instruction);
-  // The mark stands behind the count.
-  const LdWord& word = element.peek();
-  const std::int64_t count = element.whole_number();
+  const std::size_t count = row_count(element, "values", 1, 1);  // a mark stands behind it
   Operand as_string;
   as_string.kind = Operand::Kind::Number;
   as_string.value = element.flag();
   instruction.operands.push_back(as_string);
-  if (!element.good()) return;
-  if (count < 0 || count > static_cast<std::int64_t>(element.left())) {
-    return element.refuse(
-        word.position,
-        fmt::format("LOOK_UP_TABLE: {} values are announced and {} follow", count, element.left()),
-        "write them all, or the number that there are");
-  }
-  for (std::int64_t i = 0; i < count && element.good(); ++i) {
+  for (std::size_t i = 0; i < count && element.good(); ++i) {
     instruction.table.push_back(element.number16("a value of the table"));
   }
 }
@@ -156,7 +147,7 @@ void read_look_up_table(LdElement& element, Instruction& instruction) {
 void read_piecewise_linear(LdElement& element, Instruction& instruction) {
   read_target(element, instruction);
   const SourcePosition position = element.peek().position;
-  const std::size_t count = row_count(element, 2);
+  const std::size_t count = row_count(element, "points", 2);
   for (std::size_t i = 0; i < 2 * count && element.good(); ++i) {
     instruction.table.push_back(element.number16("a coordinate of the table"));
   }

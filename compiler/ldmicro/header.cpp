@@ -22,16 +22,16 @@ std::string trimmed(std::string_view text) {
 
 class HeaderReader {
  public:
-  HeaderReader(const std::vector<LdLine>& lines, const std::string& file, Diagnostics& diagnostics)
+  HeaderReader(LdLines& lines, const std::string& file, Diagnostics& diagnostics)
       : lines_(lines), file_(file), diagnostics_(diagnostics) {}
 
   LdHeader read() {
     read_version();
-    for (; at_ < lines_.size(); ++at_) {
-      const LdLine& line = lines_[at_];
+    while (!lines_.at_end()) {
+      const LdLine& line = lines_.line();
       const std::string text = line.text();
       if (text == "PROGRAM") {
-        header_.lines = at_ + 1;
+        lines_.advance();
         return std::move(header_);
       }
       if (text == "IO LIST") {
@@ -43,11 +43,11 @@ class HeaderReader {
         read_list([](const LdLine&) {});
       } else {
         read_setting(line);
+        lines_.advance();
       }
     }
     diagnostics_.error(file_, {}, "this is no LDmicro program: the line PROGRAM is not there",
                        "its rungs follow that line; if it was cut off, save it again");
-    header_.lines = lines_.size();
     return std::move(header_);
   }
 
@@ -60,26 +60,28 @@ class HeaderReader {
   }
 
   void read_version() {
-    if (lines_.empty() || !lines_.front().keyword().starts_with(kVersion)) return;
-    const std::string version = lines_.front().text().substr(kVersion.size());
-    at_ = 1;
+    if (lines_.at_end() || !lines_.line().keyword().starts_with(kVersion)) return;
+    const std::string version = lines_.line().text().substr(kVersion.size());
     header_.extended = version != "0.1";
-    if (version.empty() || version == "0.1" || version == "0.2") return;
-    warn(lines_.front().position(),
-         fmt::format("the format {} is not known; it is read as 0.2", shown(version)));
+    if (!version.empty() && version != "0.1" && version != "0.2") {
+      warn(lines_.line().position(),
+           fmt::format("the format {} is not known; it is read as 0.2", shown(version)));
+    }
+    lines_.advance();
   }
 
+  // Leaves the line behind its END, or the one that cannot stand in it.
   template <typename Read>
   void read_list(Read read_entry) {
-    const LdLine& head = lines_[at_];
-    for (++at_; at_ < lines_.size(); ++at_) {
-      const std::string text = lines_[at_].text();
-      if (text == "END") return;
+    const SourcePosition position = lines_.line().position();
+    const std::string head = lines_.line().text();
+    for (lines_.advance(); !lines_.at_end(); lines_.advance()) {
+      const std::string text = lines_.line().text();
+      if (text == "END") return lines_.advance();
       if (text == "PROGRAM") break;
-      read_entry(lines_[at_]);
+      read_entry(lines_.line());
     }
-    error(head.position(), head.text() + ": its END is not there", "write END after its last line");
-    --at_;
+    error(position, head + ": its END is not there", "write END after its last line");
   }
 
   // `name at pin`, behind which 0.2 may have a Modbus address.
@@ -187,18 +189,16 @@ class HeaderReader {
     hz = number.value;
   }
 
-  const std::vector<LdLine>& lines_;
+  LdLines& lines_;
   const std::string& file_;
   Diagnostics& diagnostics_;
-  std::size_t at_ = 0;
   LdHeader header_;
   std::map<int, std::string> pins_;
 };
 
 }  // namespace
 
-LdHeader read_ld_header(const std::vector<LdLine>& lines, const std::string& file,
-                        Diagnostics& diagnostics) {
+LdHeader read_ld_header(LdLines& lines, const std::string& file, Diagnostics& diagnostics) {
   return HeaderReader(lines, file, diagnostics).read();
 }
 

@@ -2,7 +2,6 @@
 // What stands in an LDmicro file before PROGRAM.
 #pragma once
 
-#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -21,10 +20,9 @@ struct LdHeader {
   LdmicroSettings settings;
   bool extended = false;  // of format 0.2
   std::vector<OddSize> odd_sizes;
-  std::size_t lines = 0;  // those of the header, PROGRAM included
 };
 
-LdHeader read_ld_header(const std::vector<LdLine>& lines, const std::string& file,
-                        Diagnostics& diagnostics);
+// Reads `lines` up to PROGRAM, and that too.
+LdHeader read_ld_header(LdLines& lines, const std::string& file, Diagnostics& diagnostics);
 
 }  // namespace rung

@@ -31,14 +31,13 @@ std::string LdLine::text() const {
   return text;
 }
 
-std::vector<LdLine> ld_lines(const SourceText& source) {
-  std::vector<LdLine> lines;
-  for (std::size_t i = 0; i < source.lines.size(); ++i) {
-    LdLine line = split(source.lines[i], static_cast<int>(i) + 1);
-    if (!line.words.empty() && !line.words[0].text.starts_with(';'))
-      lines.push_back(std::move(line));
+void LdLines::advance() {
+  line_ = {};
+  while (at_end() && next_ < source_.lines.size()) {
+    const int number = static_cast<int>(next_) + 1;
+    line_ = split(source_.lines[next_++], number);
+    if (!at_end() && line_.keyword().starts_with(';')) line_ = {};
   }
-  return lines;
 }
 
 }  // namespace rung

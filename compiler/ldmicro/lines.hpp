@@ -25,7 +25,20 @@ struct LdLine {
   std::string text() const;
 };
 
-// The lines without empty ones and those that begin with `;`.
-std::vector<LdLine> ld_lines(const SourceText& source);
+// The lines of a file, one at a time, without empty ones and those that begin with `;`.
+class LdLines {
+ public:
+  explicit LdLines(const SourceText& source) : source_(source) { advance(); }
+
+  bool at_end() const { return line_.words.empty(); }
+  // The line here; not at the end.
+  const LdLine& line() const { return line_; }
+  void advance();
+
+ private:
+  const SourceText& source_;
+  std::size_t next_ = 0;
+  LdLine line_;
+};
 
 }  // namespace rung

@@ -13,25 +13,27 @@ namespace {
 
 // Open PARALLELs and SERIESes; far beyond what can be drawn, and within what C compilers nest.
 constexpr std::size_t kMaxDepth = 100;
+// A file with more is none of LDmicro's.
+constexpr int kMaxErrors = 100;
 
 class RungReader {
  public:
-  RungReader(const std::vector<LdLine>& lines, const LdHeader& header, LdContext& context,
-             Program& program)
-      : lines_(lines), header_(header), context_(context), program_(program) {}
+  RungReader(LdLines& lines, LdContext& context, Program& program)
+      : lines_(lines), context_(context), program_(program) {}
 
   void read() {
-    for (std::size_t i = header_.lines; i < lines_.size() && open_.size() <= kMaxDepth; ++i) {
-      read_line(lines_[i]);
+    for (; !lines_.at_end(); lines_.advance()) {
+      read_line(lines_.line());
+      if (open_.size() > kMaxDepth || context_.diagnostics.error_count() > kMaxErrors) return;
     }
-    if (!open_.empty() && open_.size() <= kMaxDepth) not_ended("the end of the file");
+    if (!open_.empty()) not_ended("the end of the file");
   }
 
  private:
   enum class Kind : std::uint8_t { Rung, Series, Parallel };
   struct Open {
     Kind kind;
-    const LdLine* line;
+    SourcePosition position;
     int branches = 0;
   };
 
@@ -106,7 +108,7 @@ class RungReader {
   }
 
   void open(Kind kind, const LdLine& line) {
-    open_.push_back({kind, &line});
+    open_.push_back({kind, line.position()});
     if (open_.size() <= kMaxDepth) return;
     context_.error(line.position(),
                    fmt::format("{} nests deeper than {}", line.keyword(), kMaxDepth),
@@ -119,7 +121,7 @@ class RungReader {
     if (top.kind == Kind::Parallel) {
       add_frame(Op::Join, line, "END");
       if (top.branches == 0) {
-        context_.error(top.line->position(), "PARALLEL without a branch",
+        context_.error(top.position, "PARALLEL without a branch",
                        "put elements into it, or remove it");
       }
     }
@@ -132,9 +134,11 @@ class RungReader {
   }
 
   void not_ended(const std::string& where) {
-    const LdLine& line = *open_.back().line;
-    context_.error(line.position(),
-                   fmt::format("{}: its END is not there before {}", line.keyword(), where),
+    static constexpr const char* kNames[] = {"RUNG", "SERIES", "PARALLEL"};
+    const Open& innermost = open_.back();
+    context_.error(innermost.position,
+                   fmt::format("{}: its END is not there before {}",
+                               kNames[static_cast<std::size_t>(innermost.kind)], where),
                    "write END behind its last element");
     open_.clear();
     end_rung();
@@ -149,8 +153,7 @@ class RungReader {
     outside_ = true;
   }
 
-  const std::vector<LdLine>& lines_;
-  const LdHeader& header_;
+  LdLines& lines_;
   LdContext& context_;
   Program& program_;
   std::vector<Open> open_;
@@ -185,7 +188,7 @@ void warn_of_release(const Program& program, LdContext& context) {
 }  // namespace
 
 std::optional<Program> parse_ldmicro(const SourceText& source, Diagnostics& diagnostics) {
-  const std::vector<LdLine> lines = ld_lines(source);
+  LdLines lines(source);
   const int before = diagnostics.error_count();
   const LdHeader header = read_ld_header(lines, source.file, diagnostics);
   Program program;
@@ -193,7 +196,7 @@ std::optional<Program> parse_ldmicro(const SourceText& source, Diagnostics& diag
   program.dialect = Dialect::Ldmicro;
   program.ldmicro = header.settings;
   LdContext context{source.file, header, diagnostics, {}, 0, {}};
-  RungReader(lines, header, context, program).read();
+  RungReader(lines, context, program).read();
   if (program.networks.empty() && diagnostics.error_count() == before) {
     diagnostics.error(source.file, {}, "the program has no rung", "write RUNG and END at least");
   }

@@ -7,10 +7,11 @@ namespace rung::lower {
 namespace {
 
 // Hidden devices by number: memories from 0, temporaries from kTemporaries, words of ticks from
-// kTicks. Temporaries of one network are used again some networks later: far enough that rungs can
-// still run side by side, early enough that memory does not fill up.
+// kTicks, of tables from kConstants. Temporaries of one network are used again some networks later:
+// far enough that rungs can still run side by side, early enough that memory does not fill up.
 constexpr std::uint32_t kTemporaries = 1U << 20U;
 constexpr std::uint32_t kTicks = 1U << 21U;
+constexpr std::uint32_t kConstants = 1U << 22U;
 constexpr std::uint32_t kBitsBeforeReuse = 96;
 constexpr std::uint32_t kWordsBeforeReuse = 24;
 
@@ -165,6 +166,26 @@ Device Context::ticks(std::int64_t base_us) {
   const Device device{DeviceKind::HW, kTicks + static_cast<std::uint32_t>(out_.ticks.size())};
   out_.ticks.push_back({device, base_us});
   return device;
+}
+
+void Context::load_constant(Device target, const std::vector<std::int32_t>& values,
+                            const WordSource& index, bool always) {
+  std::vector<Device>& table = tables_[values];
+  if (table.empty()) {
+    for (const std::int32_t value : values) {
+      const auto number = kConstants + static_cast<std::uint32_t>(out_.constants.size());
+      table.push_back({DeviceKind::HW, number});
+      out_.constants.push_back({table.back(), constant(value).value});
+    }
+  }
+  core::Instruction load = make(core::Op::LoadWord);
+  load.head = table.front();
+  load.sources = {index};
+  load.targets = {target};
+  load.reads = table;
+  load.always = always;
+  load.quiet = true;
+  emit(std::move(load));
 }
 
 std::vector<Device> Context::named_of_role(SpecialRole role) const {

@@ -95,6 +95,11 @@ class Context {
   // Ticks of this base since the last scan.
   Device ticks(std::int64_t base_us);
 
+  // word target <- values[index], under the current result or always. An index outside gives
+  // anything.
+  void load_constant(Device target, const std::vector<std::int32_t>& values,
+                     const WordSource& index, bool always);
+
   // Whether the program names this device; flags that nobody can see are not computed.
   bool is_named(Device device) const { return named_.count(device) != 0; }
   // The named ones of this role.
@@ -118,6 +123,7 @@ class Context {
   std::map<DeviceKind, std::vector<Device>> windows_;
   std::map<std::pair<std::size_t, int>, Device> memories_, memory_words_;
   std::map<std::pair<Device, Role>, Device> device_memories_;
+  std::map<std::vector<std::int32_t>, std::vector<Device>> tables_;  // by their values
   std::uint32_t next_memory_ = 0;
   std::uint32_t next_bit_ = 0;
   std::uint32_t next_word_ = 0;

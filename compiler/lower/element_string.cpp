@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // FORMATTED_STRING: one byte a scan, while the transmitter is free.
+#include <algorithm>
+
 #include "lower/elements.hpp"
-#include "rungs/format_string.hpp"
 
 namespace rung::lower {
 namespace {
@@ -24,24 +25,12 @@ void Elements::formatted_string(bool used) {
   context_.compute(going,
                    {{less(word(step), constant(count)), false}, {port::uart_tx_ready, false}});
   const Device byte = context_.temporary_word();
-  std::vector<Digit> digits;
-  bool sign = false;
-  for (std::size_t i = 0; i < steps.size(); ++i) {
-    const Device here = equal(word(step), static_cast<std::int32_t>(i));
-    switch (steps[i].kind) {
-      case StringStep::Kind::Byte:
-        gated_by(here, false, Core::Mov, {byte}, {constant(steps[i].value)});
-        break;
-      case StringStep::Kind::Sign:
-        sign = true;
-        string_sign(going, here, byte);
-        break;
-      case StringStep::Kind::Digit:
-        digits.push_back({here, steps[i].value});
-        break;
-    }
+  std::vector<std::int32_t> bytes;
+  for (const StringStep& each : steps) {
+    bytes.push_back(each.kind == StringStep::Kind::Byte ? each.value : 0);
   }
-  if (!digits.empty()) string_digits(going, byte, digits, sign);
+  context_.load_constant(byte, bytes, word(step), true);
+  string_variable(going, step, byte, steps);
 
   context_.contact(Core::Ld, going);
   context_.gated(Core::Mov, {port::uart_tx_data}, {word(byte)});
@@ -49,6 +38,24 @@ void Elements::formatted_string(bool used) {
   context_.gated(Core::Add, {step}, {word(step), constant(1)});
   context_.block(Core::Pop);
   if (used) replace(less(word(step), constant(count)), false);
+}
+
+// The steps of the sign and of the digits, where the string has them.
+void Elements::string_variable(Device going, Device step, Device byte,
+                               const std::vector<StringStep>& steps) {
+  const auto is_kind = [](StringStep::Kind kind) {
+    return [kind](const StringStep& each) { return each.kind == kind; };
+  };
+  const auto first = std::find_if(steps.begin(), steps.end(), is_kind(StringStep::Kind::Digit));
+  if (first == steps.end()) return;
+  const auto place = static_cast<std::int32_t>(first - steps.begin());
+  const bool sign = std::any_of(steps.begin(), steps.end(), is_kind(StringStep::Kind::Sign));
+  if (sign) string_sign(going, equal(word(step), place - 1), byte);
+  std::vector<std::int32_t> powers;
+  for (auto digit = first; digit != steps.end() && digit->kind == first->kind; ++digit) {
+    powers.push_back(digit->value);
+  }
+  string_digits(going, step, byte, place, powers, sign);
 }
 
 // kept <- |variable|
@@ -67,26 +74,29 @@ void Elements::string_sign(Device going, Device here, Device byte) {
 }
 
 // One division serves all digits: of a scan's step only the power of ten differs.
-void Elements::string_digits(Device going, Device byte, const std::vector<Digit>& digits,
-                             bool sign) {
+void Elements::string_digits(Device going, Device step, Device byte, std::int32_t place,
+                             const std::vector<std::int32_t>& powers, bool sign) {
+  const auto count = static_cast<std::int32_t>(powers.size());
   const Device kept = context_.memory_word(kKept);
   const Device leading = context_.memory(kLeading);
+  const Device digit = context_.temporary_word();
   const Device power = context_.temporary_word();
   const Device quotient = context_.temporary_word();
   const Device product = context_.temporary_word();
+  const Device among = context_.temporary_bit();
 
   context_.contact(Core::Ld, going);
-  context_.contact(Core::And, digits.front().here);
+  context_.contact(Core::And, equal(word(step), place));
   if (!sign) context_.gated(Core::Mov, {kept}, {value(0)});
   context_.coil(Core::Set, leading);
   context_.block(Core::Pop);
-  for (const Digit& digit : digits) {
-    gated_by(digit.here, false, Core::Mov, {power}, {constant(digit.power)});
-  }
 
-  context_.contact(Core::Ld, digits.front().here);
-  for (std::size_t i = 1; i < digits.size(); ++i) context_.contact(Core::Or, digits[i].here);
-  context_.contact(Core::And, going);
+  context_.always(Core::Sub, {digit}, {word(step), constant(place)});
+  context_.always(Core::Ltu, {among}, {word(digit), constant(count)});
+  context_.load_constant(power, powers, word(digit), true);
+  const Device last = equal(word(step), place + count - 1);
+  context_.contact(Core::Ld, going);
+  context_.contact(Core::And, among);
   context_.gated(Core::Div, {quotient}, {word(kept), word(power)});
   context_.gated(Core::Mul, {product}, {word(quotient), word(power)});
   context_.gated(Core::Sub, {kept}, {word(kept), word(product)});
@@ -95,7 +105,7 @@ void Elements::string_digits(Device going, Device byte, const std::vector<Digit>
   context_.block(Core::Mps);
   context_.contact(Core::And, is_zero);
   context_.contact(Core::And, leading);
-  context_.contact(Core::Ani, digits.back().here);
+  context_.contact(Core::Ani, last);
   context_.gated(Core::Mov, {byte}, {constant(' ')});
   context_.block(Core::Mpp);
   context_.contact(Core::Ani, is_zero);

@@ -80,19 +80,16 @@ void Elements::count(bool used) {
   if (used) replace(less(word(counter), value(1)), true);
 }
 
-// The counter is worked out in a copy, because only the last of its values may show.
+// The next value is worked out before, because the counter gets the last one only.
 void Elements::circular() {
   const Device counter = variable();
   const Device next = context_.temporary_word();
-  context_.always(Core::Mov, {next}, {word(counter)});
-  begin_edge();
-  gated(Core::Add, {next}, {word(counter), constant(1)});
-  end_edge();
+  context_.always(Core::Add, {next}, {word(counter), constant(1)});
   const Device inside = less(word(next), constant(source().operand(1).value + 1));
   gated_by(inside, true, Core::Mov, {next}, {constant(0)});
-  const Flow flow = std::exchange(flow_, Flow::On);
+  begin_edge();
   gated(Core::Mov, {counter}, {word(next)});
-  flow_ = flow;
+  end_edge();
 }
 
 }  // namespace rung::lower

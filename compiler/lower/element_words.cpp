@@ -39,32 +39,37 @@ void Elements::shift_register() {
   end_edge();
 }
 
-// Where the target is its own index, a row may lead to a later one: then the rows work on a copy.
+// The rows as a table in constant words. Where the target is its own index, a row may lead to a
+// later one, and each has the value where that ends.
 void Elements::look_up() {
   const Device target = variable();
-  if (flow_ == Flow::Off) return;
-  const bool chain = value(1) == word(target);
-  const Device copy = chain ? context_.temporary_word() : target;
-  if (chain) context_.always(Core::Mov, {copy}, {word(target)});
-  const WordSource index = chain ? word(copy) : value(1);
-  for (std::size_t i = 0; i < source().table.size(); ++i) {
-    const Device here = equal(index, static_cast<std::int32_t>(i));
-    const WordSource row = constant(source().table[i]);
-    if (chain) {
-      gated_by(here, false, Core::Mov, {copy}, {row});
-      continue;
+  std::vector<std::int32_t> rows = source().table;
+  const auto count = static_cast<std::int32_t>(rows.size());
+  const WordSource index = value(1);
+  if (flow_ == Flow::Off || rows.empty()) return;
+  if (index.constant) {
+    if (index.value >= 0 && index.value < count) {
+      gated(Core::Mov, {target}, {constant(rows[static_cast<std::size_t>(index.value)])});
     }
-    const Flow flow = flow_;
-    if (flow == Flow::Result) context_.block(Core::Mps);
-    contact(here, false);
-    gated(Core::Mov, {target}, {row});
-    if (flow == Flow::Result) {
-      context_.block(Core::Mpp);
-    } else {
-      replace(flow);
+    return;
+  }
+  if (index == word(target)) {
+    for (std::int32_t i = count - 1; i >= 0; --i) {
+      std::int32_t& row = rows[static_cast<std::size_t>(i)];
+      if (row > i && row < count) row = rows[static_cast<std::size_t>(row)];
     }
   }
-  if (chain) gated(Core::Mov, {target}, {word(copy)});
+  const Device inside = context_.temporary_bit();
+  context_.always(Core::Ltu, {inside}, {index, constant(count)});
+  const Flow flow = flow_;
+  if (flow == Flow::Result) context_.block(Core::Mps);
+  contact(inside, false);
+  context_.load_constant(target, rows, index, false);
+  if (flow == Flow::Result) {
+    context_.block(Core::Mpp);
+  } else {
+    replace(flow);
+  }
 }
 
 void Elements::segment(Device target, const WordSource& index, std::size_t i) {

@@ -8,6 +8,7 @@
 
 #include "lower/compare.hpp"
 #include "lower/context.hpp"
+#include "rungs/format_string.hpp"
 #include "rungs/ports.hpp"
 
 namespace rung::lower {
@@ -90,13 +91,11 @@ class Elements {
   void send(bool used);
   void receive();
   void formatted_string(bool used);
-  // A step that sends a digit: whether it is its turn, and its power of ten.
-  struct Digit {
-    Device here;
-    std::int32_t power;
-  };
+  void string_variable(Device going, Device step, Device byte,
+                       const std::vector<StringStep>& steps);
   void string_sign(Device going, Device here, Device byte);
-  void string_digits(Device going, Device byte, const std::vector<Digit>& digits, bool sign);
+  void string_digits(Device going, Device step, Device byte, std::int32_t place,
+                     const std::vector<std::int32_t>& powers, bool sign);
 
   Context& context_;
   Flow flow_ = Flow::On;

@@ -18,7 +18,8 @@
 // while the scan ran; rx_lost_o is 1 for a clock when a byte was replaced that nobody took. A byte
 // to send leaves in one clock with tx_valid_o; the program finds the transmitter ready if tx_ready_i was 1
 // at edge 0, and from the clock after tx_valid_o on tx_ready_i has to tell the truth about it.
-// PWM: duty and frequency change together, and are 0 if the program does not have them.
+// PWM: duty and frequency change together, and are 0 if the program does not have them; one that has only
+// the low word of the frequency stays below 65,536 Hz.
 // Lasting memory: persist_ready_i says that it can be used and that the devices hold its values.
 // keep_valid_o is 1 for a clock when keep_value_o is to be kept as value keep_index_o; from the next clock
 // on persist_ready_i is 0 until it is kept.
@@ -169,7 +170,8 @@ module port_exchange #(
   // ---- what the program finds: flags as they are when the scan is taken -------------------------
   wire has_rx = |port_bits_i && port_words_i > `RUNG_PORT_UART_RX_DATA;
   wire has_tx = port_bits_i > `RUNG_PORT_UART_TX_READY && port_words_i > `RUNG_PORT_UART_TX_DATA;
-  wire has_pwm = port_words_i > `RUNG_PORT_PWM_HZ_HIGH;
+  wire has_pwm = port_words_i > `RUNG_PORT_PWM_HZ_LOW;
+  wire has_pwm_high = port_words_i > `RUNG_PORT_PWM_HZ_HIGH;
   wire has_persist = port_bits_i > `RUNG_PORT_PERSIST_READY &&
       port_words_i > `RUNG_PORT_PERSIST_VALUE;
 
@@ -179,6 +181,7 @@ module port_exchange #(
   reg rx_full_q;
   reg rx_newer_q;  // the waiting byte is not the one that the program found
   reg rx_lost_q;
+  reg rx_lost_too_q;
   reg [7:0] rx_data_q;
   reg found_rx_q;
   reg found_tx_q;
@@ -189,6 +192,9 @@ module port_exchange #(
   wire rx_left = last_answer && found_rx_q && kept_rx_q;
   // The program has found the waiting byte, and whether it takes it is not known yet.
   wire rx_open = idle ? scan_i && has_rx : found_rx_q && !rx_newer_q;
+
+  wire lost_waiting = rx_valid_i && rx_full_q && !rx_open;
+  wire lost_left = rx_left && (rx_newer_q || rx_valid_i);
 
   always @(posedge clk_i) begin
     if (idle) begin
@@ -204,7 +210,8 @@ module port_exchange #(
     if (!rst_ni) begin
       rx_full_q  <= 1'b0;
       rx_newer_q <= 1'b0;
-      rx_lost_q  <= 1'b0;
+      rx_lost_q <= 1'b0;
+      rx_lost_too_q <= 1'b0;
     end else begin
       if (rx_valid_i) rx_full_q <= 1'b1;
       else if (rx_taken && !rx_newer_q) rx_full_q <= 1'b0;
@@ -212,7 +219,9 @@ module port_exchange #(
       if (rx_valid_i) rx_newer_q <= 1'b1;
       else if (idle) rx_newer_q <= 1'b0;
 
-      rx_lost_q <= (rx_valid_i && rx_full_q && !rx_open) || (rx_left && (rx_newer_q || rx_valid_i));
+      // Two may be lost at once: the one that the program has left and the one that came after it.
+      rx_lost_q <= lost_waiting || lost_left || rx_lost_too_q;
+      rx_lost_too_q <= lost_waiting && lost_left;
     end
   end
 
@@ -244,7 +253,7 @@ module port_exchange #(
         READ_TX_DATA: tx_data_q <= load_rdata_i[7:0];
         READ_DUTY: new_duty_q <= load_rdata_i;
         READ_HZ_LOW: new_hz_low_q <= load_rdata_i;
-        READ_HZ_HIGH: new_hz_high_q <= load_rdata_i;
+        READ_HZ_HIGH: new_hz_high_q <= load_rdata_i & {16{has_pwm_high}};
         default: keep_value_q <= load_rdata_i;
       endcase
     end

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // UART receiver, 8N1. baud_step_i as in uart_tx.v. rx_i is asynchronous. Three samples of each bit, an
 // eighth of a bit apart around its middle, decide by majority, so a disturbance shorter than that cannot
-// change a bit; a start bit that is 1 at its middle was none. The sender's baud rate may differ by
-// 2 %, at 13 clocks a bit and more.
+// change a bit; a start bit that is 1 after an eighth or at its middle was none. The sender's baud
+// rate may differ by 2 %, at 13 clocks a bit and more.
 // valid_o is 1 for one clock when a byte is in data_o, which then stays until the next; framing_error_o
 // is 1 for one clock instead when the stop bit was 0, and the receiver waits for the line to be 1
 // again. valid_o comes within the stop bit, so that the next byte may follow at once.
@@ -45,6 +45,8 @@ module uart_rx (
   wire [20:0] phase = {1'b0, phase_q} + {1'b0, baud_step_i};
   wire tick = phase[20];
   wire decide = active_q && tick && eighth_q == LAST_SAMPLE;
+  // A short pulse is dropped early: it must not hide the edge of a start bit that follows it.
+  wire pulse = tick && eighth_q == 3'd0 && bit_q == START_BIT && line;
   wire majority = (samples_q[1] && samples_q[0]) || (line && (samples_q[1] || samples_q[0]));
 
   always @(posedge clk_i) begin
@@ -71,6 +73,7 @@ module uart_rx (
       framing_error_q <= 1'b0;
     end else begin
       if (!active_q) active_q <= falls;
+      else if (pulse) active_q <= 1'b0;
       else if (decide) active_q <= bit_q == START_BIT ? !majority : bit_q != STOP_BIT;
       valid_q <= decide && bit_q == STOP_BIT && majority;
       framing_error_q <= decide && bit_q == STOP_BIT && !majority;

@@ -36,7 +36,7 @@ def measure(design: Design, seeds: list[int], jobs: int) -> dict[str, Any]:
     def used(what: str) -> int:
         return median.used.get(names[what], 0)
 
-    link = [kind for name, kind in types.items() if re.search(r"\b(link|power_on_reset)\.", name)]
+    link = [kind for name, kind in types.items() if re.search(r"\b(link|power_on_reset|ports)\.", name)]
     return {
         "logic_cells": used("logic_cells"),
         "logic_cells_available": median.available[names["logic_cells"]],

@@ -34,10 +34,11 @@ def area_section(area: dict[str, Any]) -> list[str]:
                      r["dsps"] or "-", f"{r['link_luts']} / {r['link_flip_flops']}"])
     return ["## Area", "",
             "Each processor in its board top (`hdl/boards/`), which keeps all of its ports behind a "
-            "serial link of four pins. Logic cells are nextpnr's: on ECP5 a LUT4 or half of a "
-            "carry pair, on iCE40 a cell of LUT4, carry and flip-flop. The last column is the "
-            "link's own share, LUT4s and flip-flops, as far as their names still tell it.", "",
-            *table(["", "logic cells", "flip-flops", "block RAMs", "DSPs", "link"], rows), ""]
+            "serial link of four pins and gives its program a UART and a PWM output. Logic cells are "
+            "nextpnr's: on ECP5 a LUT4 or half of a carry pair, on iCE40 a cell of LUT4, carry and "
+            "flip-flop. The last column is the share of what stands around the processor, LUT4s "
+            "and flip-flops, as far as their names still tell it.", "",
+            *table(["", "logic cells", "flip-flops", "block RAMs", "DSPs", "around it"], rows), ""]
 
 
 def clock_section(area: dict[str, Any]) -> list[str]:

@@ -37,10 +37,11 @@ constexpr LdStory kCounters[] = {
      "Yo=1 | C=-1 Yo=0 | Yo=0 | C=32767 Yo=1"},
     {"Ctc", "CONTACTS Xa 0, CTC C 2, COIL Yo 0 0 0", "Xa=1 | Xa=0 | Xa=1 | Xa=0 | Xa=1 | Xa=0",
      "C=1 Yo=1 | Yo=0 | C=2 Yo=1 | Yo=0 | C=0 Yo=1 | Yo=0"},
-    {"CtcWithoutAnEdge", "CONTACTS Xa 0, CTC C 2, COIL Yo 0 0 0", "C=9 | C=2 | C=-4",
-     "C=0 Yo=0 | Yo=0 | Yo=0"},
-    // 32767 + 1 is below everything: always 0.
-    {"CtcToTheEnd", "CONTACTS Xa 0, CTC C 32767, COIL Yo 0 0 0", "Xa=1 | C=5", "Yo=1 | C=0 Yo=1"},
+    {"CtcOnlyAtAnEdge", "CONTACTS Xa 0, CTC C 2, COIL Yo 0 0 0",
+     "C=9 | Xa=1 | C=9 | Xa=0 C=-4 | Xa=1", "Yo=0 | C=0 Yo=1 | Yo=1 | Yo=0 | C=-3 Yo=1"},
+    // 32767 + 1 is below everything: it never counts.
+    {"CtcToTheEnd", "CONTACTS Xa 0, CTC C 32767, COIL Yo 0 0 0", "Xa=1 | C=5 Xa=0 | Xa=1",
+     "Yo=1 | Yo=0 | C=0 Yo=1"},
 };
 INSTANTIATE_TEST_SUITE_P(Counters, LdReferenceStory, testing::ValuesIn(kCounters), ld_story_name);
 

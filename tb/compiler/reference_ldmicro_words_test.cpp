@@ -47,7 +47,6 @@ constexpr LdStory kTables[] = {
      "| Xa=1 | i=2 | i=3 | i=-1 | i=1", "Yo=0 | d=10 Yo=1 | d=-30 Yo=1 | Yo=1 | Yo=1 | d=20 Yo=1"},
     {"LookUpIndexIsTarget", "LOOK_UP_TABLE i i 3 0 1 2 7", "| i=1 | i=2", "i=7 | i=7 | i=7"},
     {"LookUpBackwards", "LOOK_UP_TABLE i i 3 0 9 0 1", "i=1 | i=2", "i=0 | i=1"},
-    {"LookUpLiteral", "LOOK_UP_TABLE d 1 2 0 10 20", "|", "d=20 |"},
     // (0,0) (10,100) (20,50): up by 10 each, then down by 5 each
     {"Segments", "PIECEWISE_LINEAR d i 3 0 0 10 100 20 50",
      "i=5 | i=10 | i=13 | i=20 | i=21 | i=-1 | i=0", "d=50 | d=100 | d=85 | d=50 | | d=-10 | d=0"},
@@ -56,7 +55,7 @@ constexpr LdStory kTables[] = {
     // -200 * 300 is 5536 in 16 bits
     {"ProductWraps", "PIECEWISE_LINEAR d i 2 0 0 100 300", "i=-200", "d=55"},
     // The upper segment makes 20 of it, which the lower one does not hold.
-    {"SegmentsIndexIsTarget", "PIECEWISE_LINEAR i i 3 0 0 10 20 30 25", "i=8 | i=4", "i=20 | i=20"},
+    {"SegmentsIndexIsTarget", "PIECEWISE_LINEAR i i 3 0 0 10 20 30 25", "i=8 | i=4", "i=20 | i=19"},
     // 32767 + 1 is below everything.
     {"LastPointAtTheEnd", "PIECEWISE_LINEAR d i 2 32000 5 32767 5", "i=32500", ""},
     {"OnePoint", "PIECEWISE_LINEAR d i 1 0 7", "i=0", ""},

@@ -7,12 +7,15 @@
 #include <iostream>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "backends/list_writer.hpp"
 #include "image/image_file.hpp"
 #include "melsec/comments.hpp"
 #include "melsec/list.hpp"
 #include "melsec/melsec.hpp"
+#include "rungs/ports.hpp"
+#include "trace/ldmicro_trace.hpp"
 #include "trace/stimulus.hpp"
 #include "trace/trace.hpp"
 
@@ -82,13 +85,25 @@ void read_comments(std::string_view bytes) {
   }
 }
 
+// What a stimulus may name: lists of two number bases, and a program with names of its own.
+std::vector<DeviceNames> all_names() {
+  return {Dialect::Paper, Dialect::Fx, Dialect::Q,
+          DeviceNames(Dialect::Ldmicro, {{{DeviceKind::X, 0}, "Xa"},
+                                         {{DeviceKind::Y, 0}, "Yo"},
+                                         {{DeviceKind::M, 0}, "n"},
+                                         {{DeviceKind::D, 0}, "n:w"},
+                                         {{DeviceKind::D, 1}, "v"},
+                                         {{DeviceKind::D, 2}, "Aa"},
+                                         {port::adc, "Aa"}})};
+}
+
 void read_stimulus(std::string_view bytes) {
   Diagnostics decoding;
   const auto text = decode_text(bytes, "fuzz.stim", decoding);
   if (!text) return;
-  for (const Dialect dialect : {Dialect::Paper, Dialect::Fx, Dialect::Q}) {
+  for (const DeviceNames& names : all_names()) {
     Diagnostics diagnostics;
-    const auto stimulus = parse_stimulus(*text, dialect, diagnostics);
+    const auto stimulus = parse_stimulus(*text, names, diagnostics);
     check(stimulus.has_value(), diagnostics);
     if (stimulus && stimulus->scans() > 0) {
       static_cast<void>(stimulus->events(0));
@@ -102,15 +117,26 @@ void read_golden(std::string_view bytes) {
   const auto trace = read_trace(bytes, "fuzz.golden", diagnostics);
   check(trace.has_value(), diagnostics);
   if (!trace) return;
-  for (const Dialect dialect : {Dialect::Fx, Dialect::Q}) {
+  for (const DeviceNames& names : all_names()) {
     Diagnostics more;
-    const auto stimulus = stimulus_of(*trace, dialect, "fuzz.golden", more);
+    const auto stimulus = stimulus_of(*trace, names, "fuzz.golden", more);
     check(stimulus.has_value(), more);
   }
   Diagnostics again;
   const auto back = read_trace(to_json_lines(*trace), "again.golden", again);
   require(back.has_value() && back->scans.size() == trace->scans.size(),
           "the written trace is another one");
+}
+
+void read_shown(std::string_view bytes) {
+  static_cast<void>(is_ldmicro_trace(bytes));
+  Diagnostics diagnostics;
+  const auto trace = read_ldmicro_trace(bytes, "fuzz.trace", diagnostics);
+  check(trace.has_value(), diagnostics);
+  if (!trace) return;
+  for (const TraceScan& scan : trace->scans) {
+    require(!compare_shown(scan, scan), "a scan differs from itself");
+  }
 }
 
 // A whole image file whose contents are `payload`: else the checksum would keep all others out.
@@ -144,8 +170,9 @@ void read_image(std::string_view bytes) {
 }
 
 constexpr Reader kReaders[] = {
-    {"list", read_list},         {"csv", read_csv},      {"comments", read_comments},
-    {"stimulus", read_stimulus}, {"trace", read_golden}, {"image", read_image},
+    {"list", read_list},           {"csv", read_csv},      {"comments", read_comments},
+    {"stimulus", read_stimulus},   {"trace", read_golden}, {"image", read_image},
+    {"ldmicro_trace", read_shown},
 };
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "driver/compile.hpp"
+#include "ldmicro/ldmicro.hpp"
 #include "lockstep/machine.hpp"
 #include "melsec/melsec.hpp"
 #include "melsec/paper.hpp"
@@ -38,18 +39,26 @@ class Golden : public testing::TestWithParam<std::string> {
     ASSERT_TRUE(golden);
     golden_ = std::move(*golden);
     dialect_ = find_dialect(golden_.header.dialect).value_or(Dialect::Fx);
-    // The program stands beside it, as a list or as an export.
-    for (const char* suffix : {".il", ".csv"}) {
+    // The program stands beside it, as a list, as an export or as LDmicro writes it.
+    for (const char* suffix : {".il", ".csv", ".ld"}) {
       if (fs::exists(path.string() + suffix)) source_ = path.string() + suffix;
     }
-    const auto source = read_text(source_, diagnostics);
-    ASSERT_TRUE(source);
-    auto program = parse_melsec(*source, dialect_, diagnostics);
+    auto program = read_program(diagnostics);
     ASSERT_TRUE(program);
     program_ = std::move(*program);
-    auto stimulus = stimulus_of(golden_, dialect_, GetParam(), diagnostics);
+    auto stimulus = stimulus_of(golden_, program_, GetParam(), diagnostics);
     ASSERT_TRUE(stimulus);
     stimulus_ = std::move(*stimulus);
+  }
+
+  std::optional<Program> read_program(Diagnostics& diagnostics) const {
+    const auto bytes = read_bytes(source_, diagnostics);
+    if (!bytes) return std::nullopt;
+    const bool ld = dialect_ == Dialect::Ldmicro;
+    const auto text = ld ? decode_ldmicro(*bytes, source_, diagnostics)
+                         : decode_text(*bytes, source_, diagnostics);
+    if (!text) return std::nullopt;
+    return ld ? parse_ldmicro(*text, diagnostics) : parse_melsec(*text, dialect_, diagnostics);
   }
 
   void run(isa::Mpu mpu, bool paper, const isa::Config& config) {

@@ -43,6 +43,9 @@ Machine::Machine(const image::Image& image, Processor& processor, std::int64_t t
     for (const auto& slot : step) words.push_back(isa::encode(slot, image.mpu, config));
   }
   processor.load_program(steps);
+  for (const image::ImageConstant& each : image.constants) {
+    processor.write_word(each.address, static_cast<std::uint16_t>(each.value));
+  }
   for (std::size_t row = 0; row < image.lut.size(); ++row) {
     processor.load_lut(static_cast<int>(row), image.lut[row]);
   }

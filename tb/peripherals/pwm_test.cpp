@@ -125,8 +125,8 @@ TEST(PwmOutput, DutyIsClampedAndWhatTheClockCannotMakeIsOff) {
   EXPECT_EQ(on(50, 0x00020000U), 0);
 }
 
-// The pair changes at every clock of a period in turn: each period of the output is one pair's or the
-// other's, whole.
+// The pair changes at every clock of a period in turn: each period of the output is one pair's or
+// the other's, whole.
 TEST(PwmOutput, AChangeWaitsForThePeriodsEnd) {
   constexpr int kFirst = 1000, kSecond = 2000;  // 100 and 50 clocks a period
   constexpr int kFirstOn = 20, kSecondOn = 35;  // 20 % and 70 %

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The UART's transmitter and receiver against lines that the test makes and measures clock by clock.
+// The UART's transmitter and receiver against lines that the test makes and measures clock by
+// clock.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,10 +20,12 @@ namespace {
 constexpr double kRates[] = {12e6 / 921600, 12e6 / 115200, 25e6 / 115200, 12e6 / 9600,
                              100e6 / 9600};
 
-std::vector<std::uint8_t> all_bytes() {
+// All of them in some order; some of them where a bit takes long.
+std::vector<std::uint8_t> all_bytes(double clocks_a_bit) {
   std::vector<std::uint8_t> bytes(256);
   for (int i = 0; i < 256; ++i) bytes[static_cast<std::size_t>(i)] = static_cast<std::uint8_t>(i);
   std::shuffle(bytes.begin(), bytes.end(), std::mt19937(3));
+  if (clocks_a_bit > 1000) bytes.resize(20);
   return bytes;
 }
 
@@ -75,7 +78,7 @@ std::vector<bool> transmit(const std::vector<std::uint8_t>& bytes, double clocks
 }
 
 TEST_P(Uart, SendsEveryByteWithoutGaps) {
-  const std::vector<std::uint8_t> bytes = all_bytes();
+  const std::vector<std::uint8_t> bytes = all_bytes(GetParam());
   const std::vector<bool> levels = transmit(bytes, GetParam(), 0);
   const LineReader line(levels, GetParam());
   EXPECT_EQ(line.bytes, bytes);
@@ -110,7 +113,7 @@ TEST_P(Uart, SendsAfterPausesToo) {
 }
 
 TEST_P(Uart, ReceivesBackToBackFromSendersTwoPerCentOff) {
-  const std::vector<std::uint8_t> bytes = all_bytes();
+  const std::vector<std::uint8_t> bytes = all_bytes(GetParam());
   for (const double off : {0.98, 0.99, 1.0, 1.01, 1.02}) {
     LineWriter line(GetParam() * off);
     line.idle(1.37);
@@ -140,7 +143,7 @@ TEST_P(Uart, ShortDisturbancesChangeNothing) {
   const auto length = static_cast<std::size_t>(GetParam() / 8.01);
   ASSERT_GE(length, 1U);
   std::mt19937 random(7);
-  const std::vector<std::uint8_t> bytes = all_bytes();
+  const std::vector<std::uint8_t> bytes = all_bytes(GetParam());
   LineWriter line(GetParam());
   line.idle(2);
   for (const std::uint8_t byte : bytes) line.byte(byte);
@@ -190,7 +193,7 @@ TEST_P(Uart, AByteWithoutStopBitIsAFramingErrorAndTheNextOneIsReceived) {
 }
 
 TEST_P(Uart, ItsOwnBytesComeBack) {
-  const std::vector<std::uint8_t> bytes = all_bytes();
+  const std::vector<std::uint8_t> bytes = all_bytes(GetParam());
   for (const int gap : {0, static_cast<int>(10.7 * GetParam())}) {
     const Received received = receive(transmit(bytes, GetParam(), gap), GetParam());
     EXPECT_EQ(received.bytes, bytes);

@@ -129,6 +129,11 @@ std::string LdmicroElements::compare() {
 }
 
 std::string LdmicroElements::move() {
+  // Counters are rarely led to where they wrap.
+  if (has(LdmicroFamily::Counters) && random_.percent(15)) {
+    const std::string counter = own('C');
+    return fmt::format("MOVE {} {}", counter, random_.percent(50) ? kHigh : kLow);
+  }
   const std::string target = variable();
   return fmt::format("MOVE {} {}", target, value());
 }
@@ -137,6 +142,8 @@ std::string LdmicroElements::arithmetic() {
   static constexpr const char* kOperations[] = {"ADD", "SUB", "MUL", "DIV"};
   const char* const name = pick(random_, kOperations);
   const std::string target = variable();
+  // The quotient that 16 bits do not hold.
+  if (random_.percent(3)) return fmt::format("{} {} {} -1", name, target, kLow);
   const std::string first = value();
   return fmt::format("{} {} {} {}", name, target, first, value());
 }

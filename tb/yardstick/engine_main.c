@@ -12,9 +12,10 @@
 
 enum { kRuns = 11, kInputs = 4096 };
 
+/* Processor time: what else runs on the machine counts less. */
 static double now_ns(void) {
   struct timespec t;
-  clock_gettime(CLOCK_MONOTONIC, &t);
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
   return (double)t.tv_sec * 1e9 + (double)t.tv_nsec;
 }
 

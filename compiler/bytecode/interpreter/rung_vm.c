@@ -281,13 +281,13 @@ static void run(rung_vm* vm) {
         r &= BIT();
         break;
       case CODE_ANI:
-        if (BIT()) r = 0;
+        r = (uint8_t)(r & (BIT() ^ 1U));
         break;
       case CODE_OR:
         r |= BIT();
         break;
       case CODE_ORI:
-        if (!BIT()) r = 1;
+        r = (uint8_t)(r | (BIT() ^ 1U));
         break;
       case CODE_BLD:
         *block++ = r;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "backends/list_writer.hpp"
+#include "fuzz/bytecode_reader.hpp"
 #include "image/image_file.hpp"
 #include "melsec/comments.hpp"
 #include "melsec/list.hpp"
@@ -170,9 +171,9 @@ void read_image(std::string_view bytes) {
 }
 
 constexpr Reader kReaders[] = {
-    {"list", read_list},           {"csv", read_csv},      {"comments", read_comments},
-    {"stimulus", read_stimulus},   {"trace", read_golden}, {"image", read_image},
-    {"ldmicro_trace", read_shown},
+    {"list", read_list},           {"csv", read_csv},           {"comments", read_comments},
+    {"stimulus", read_stimulus},   {"trace", read_golden},      {"image", read_image},
+    {"ldmicro_trace", read_shown}, {"bytecode", read_bytecode},
 };
 
 }  // namespace

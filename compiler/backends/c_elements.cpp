@@ -51,7 +51,7 @@ bool CRoutine::element(const Instruction& instruction) {
   };
   switch (instruction.op) {
     case Op::Rung:
-      body.line("{} = {};", top(false), locals_.contains("relay") ? "relay" : "1");
+      body.line("{} = {};", top(), locals_.contains("relay") ? "relay" : "1");
       return true;
     case Op::Parallel:
       // Only a second branch reads it.
@@ -71,7 +71,7 @@ bool CRoutine::element(const Instruction& instruction) {
     case Op::Short:
       return true;
     case Op::Open:
-      body.line("{} = 0;", top(false));
+      body.line("{} = 0;", top());
       return true;
     case Op::Osr:
       body.line("{0} = {1}(&{2}, {0});", top(), unit_.helpers.use(CHelper::Rise),

@@ -135,7 +135,7 @@ void table_rows(const CUnit& unit, CSource& source) {
   }
   if (!unit.hooks()) {
     for (const Device port : unit.layout.ports()) {
-      row(device_name(port, unit.program.dialect), port);
+      row(c_port_name(port), port);
     }
   }
   source.line("{{0, 0, 0}}");

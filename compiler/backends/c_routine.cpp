@@ -114,8 +114,9 @@ std::string CRoutine::load() {
   return local(fmt::format("r{}", blocks_++), false);
 }
 
-std::string CRoutine::top(bool reads) {
-  return local(fmt::format("r{}", std::max(blocks_ - 1, 0)), reads);
+std::string CRoutine::top() {
+  // The condition of a rung may lead nowhere, which only its last element would show.
+  return local(fmt::format("r{}", std::max(blocks_ - 1, 0)), !unit_.is_ldmicro());
 }
 
 std::string CRoutine::power() {

@@ -45,7 +45,7 @@ class CRoutine {
   void source_comment(std::size_t index);
 
   std::string load();
-  std::string top(bool reads = true);
+  std::string top();
   std::string power();
   std::string local(const std::string& name, bool reads);
 

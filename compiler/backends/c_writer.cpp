@@ -8,6 +8,7 @@
 #include "backends/c_interface.hpp"
 #include "backends/c_routine.hpp"
 #include "backends/c_unit.hpp"
+#include "rungs/ports.hpp"
 
 namespace rung {
 namespace {
@@ -71,5 +72,7 @@ std::string write_c(const Program& program, const COptions& options) {
 }
 
 std::string to_c(const Program& program) { return write_c(program, {}); }
+
+std::string c_port_name(Device port) { return "%" + port::name(port); }
 
 }  // namespace rung

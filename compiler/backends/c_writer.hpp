@@ -16,7 +16,7 @@ struct COptions {
   bool table = false;
   // An LDmicro program meets its inputs, outputs and peripherals through functions that its user
   // writes. Without them the caller does what a controller does to the devices and to the device
-  // ports, which the table then has too, by the names of device_name(port, dialect).
+  // ports, which the table then has too (c_port_name).
   bool hooks = true;
   // For very many programs in one file, which a compiler then reads in half the time: functions are
   // static, there is no access but by the array PlcDevices (struct plc_device: name, bit or word; a
@@ -39,5 +39,8 @@ struct COptions {
 // undefined behaviour in it.
 std::string write_c(const Program& program, const COptions& options);
 std::string to_c(const Program& program);
+
+// What tables call a device port, which no device is called: "%adc2".
+std::string c_port_name(Device port);
 
 }  // namespace rung

@@ -110,7 +110,7 @@ std::string source_of(std::span<const Case> cases) {
       text += fmt::format("\"{}\",", device_name(device, program));
     }
     for (const Device device : harness_ports()) {
-      text += fmt::format("\"{}\",", device_name(device, program.dialect));
+      text += fmt::format("\"{}\",", c_port_name(device));
     }
     text += "0};\n";
   }

@@ -11,6 +11,7 @@
 #include <fstream>
 #include <iterator>
 #include <set>
+#include <span>
 #include <sstream>
 
 #include "avr/simulated_board.hpp"
@@ -42,7 +43,7 @@ constexpr int kPowerCycle = 250;
 
 // Pins of the ATmega328P's DIP package, as an `.ld` names them.
 constexpr std::array kInputPins = {6, 11, 12, 13};
-constexpr int kFirstOutputPin = 14;
+constexpr std::array kOutputPins = {14, 15, 16, 18, 19};
 constexpr int kFirstSamplePin = 23;
 
 std::optional<Program> read_program(const Firmware& firmware) {
@@ -107,10 +108,10 @@ class Wiring {
   explicit Wiring(const Program& program) {
     for (const Device device : named_devices(program)) {
       const int pin = pin_of(program, device);
-      if (device.kind == DeviceKind::X) inputs_.emplace_back(device, input_at(device, pin));
+      if (device.kind == DeviceKind::X)
+        inputs_.emplace_back(device, place(device, pin, kInputPins));
       if (device.kind == DeviceKind::Y) {
-        outputs_.emplace_back(device,
-                              pin > 0 ? pin - kFirstOutputPin : static_cast<int>(device.number));
+        outputs_.emplace_back(device, place(device, pin, kOutputPins));
       }
       if (device.kind == DeviceKind::D && pin > 0) samples_.push_back(pin - kFirstSamplePin);
     }
@@ -131,10 +132,9 @@ class Wiring {
     }
     return 0;
   }
-  static int input_at(Device device, int pin) {
+  static int place(Device device, int pin, std::span<const int> pins) {
     if (pin == 0) return static_cast<int>(device.number);
-    return static_cast<int>(std::find(kInputPins.begin(), kInputPins.end(), pin) -
-                            kInputPins.begin());
+    return static_cast<int>(std::find(pins.begin(), pins.end(), pin) - pins.begin());
   }
 
   Places inputs_;

@@ -29,10 +29,11 @@ uint8_t board_input(uint8_t number) {
 }
 
 void board_output(uint8_t number, uint8_t value) {
+  const uint8_t bit = (uint8_t)(1 << (number < 3 ? number : number + 1));
   if (value) {
-    PORTB |= (uint8_t)(1 << number);
+    PORTB |= bit;
   } else {
-    PORTB &= (uint8_t)~(1 << number);
+    PORTB &= (uint8_t)~bit;
   }
 }
 
@@ -63,9 +64,8 @@ void PlcSetPwm(uint8_t percent, uint32_t hertz) {
   static const uint16_t prescalers[] = {1, 8, 32, 64, 128, 256, 1024};
   uint8_t i = 0;
   while (i < 6 && F_CPU / 256 / prescalers[i] > hertz) ++i;
-  DDRD |= 1 << 3;
-  OCR2B = (uint8_t)((uint16_t)percent * 255u / 100u);
-  TCCR2A = 1 << COM2B1 | 1 << WGM21 | 1 << WGM20;
+  OCR2A = (uint8_t)((uint16_t)percent * 255u / 100u);
+  TCCR2A = 1 << COM2A1 | 1 << WGM21 | 1 << WGM20;
   TCCR2B = (uint8_t)(i + 1);
 }
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0
- * An ATmega328P board for a program that Rung has translated to C: inputs 0 to 3 at PD4
- * to PD7, outputs 0 to 5 at PB0 to PB5, analogue inputs 0 to 3 at ADC0 to ADC3, PWM at PD3 (OC2B),
- * the UART, the EEPROM. PC5 is high during a scan. */
+ * An ATmega328P board for a program that Rung has translated to C: inputs 0 to 3 at PD4 to PD7,
+ * outputs 0 to 4 at PB0 to PB2, PB4 and PB5, PWM at PB3 (OC2A), analogue inputs 0 to 3 at ADC0 to
+ * ADC3, the UART, the EEPROM. PC5 is high during a scan. */
 #ifndef BOARD_H
 #define BOARD_H
 

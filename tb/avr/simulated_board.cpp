@@ -2,22 +2,24 @@
 #include "avr/simulated_board.hpp"
 
 #include <avr_adc.h>
-#include <avr_extint.h>
 #include <avr_ioport.h>
 #include <avr_uart.h>
 #include <sim_avr.h>
 #include <sim_elf.h>
 
+#include <array>
 #include <cstring>
 
 namespace rung::tb {
 namespace {
 
 constexpr int kInputs = 4;
-constexpr int kFirstInputPin = 4;  // of port D
+constexpr int kFirstInputPin =
+    4;  // of port D, beyond the pins with an interrupt, which simavr polls
+constexpr std::array kOutputBits = {0, 1, 2, 4, 5};  // of port B
 // Of the ATmega328P, as the program sees them.
 constexpr int kPortB = 0x25;
-constexpr int kOcr2B = 0xB4;
+constexpr int kOcr2A = 0xB3;
 constexpr int kScanPin = 5;              // of port C
 constexpr std::uint32_t kSupply = 5115;  // mV: 5 to each step of the converter
 // Steps in which time goes by while the processor sleeps; short beside a scan.
@@ -42,8 +44,6 @@ SimulatedBoard::SimulatedBoard(const std::string& firmware) {
   elf.vcc = elf.avcc = elf.aref = kSupply;
   avr_load_firmware(avr_, &elf);
   avr_->sleep = no_sleep;
-  // PD3 is an external interrupt too, whose low level the simulator would look for in each cycle.
-  avr_extint_set_strict_lvl_trig(avr_, 1, 0);
   avr_->run_cycle_limit = kMostCyclesAtOnce;
   std::uint32_t flags = 0;
   avr_ioctl(avr_, AVR_IOCTL_UART_SET_FLAGS('0'), &flags);
@@ -83,9 +83,11 @@ bool SimulatedBoard::scan() {
   return scanned_;
 }
 
-bool SimulatedBoard::output(int number) const { return (avr_->data[kPortB] >> number & 1) != 0; }
+bool SimulatedBoard::output(int number) const {
+  return (avr_->data[kPortB] >> kOutputBits.at(static_cast<std::size_t>(number)) & 1) != 0;
+}
 
-int SimulatedBoard::pwm_compare() const { return avr_->data[kOcr2B]; }
+int SimulatedBoard::pwm_compare() const { return avr_->data[kOcr2A]; }
 
 void SimulatedBoard::power_cycle() {
   in_scan_ = false;

@@ -14,6 +14,7 @@
 #include "backends/c_writer.hpp"
 #include "reference/reference.hpp"
 #include "rungs/devices.hpp"
+#include "rungs/ports.hpp"
 #include "rungs/special.hpp"
 
 namespace rung {
@@ -36,10 +37,27 @@ bool is_driven_device(Device device, Dialect dialect) {
   return special != nullptr && is_driven(special->role);
 }
 
+// Something comes from outside: a sample, a byte.
+void stir_peripherals(CPeripherals& peripherals, Reference& reference, const Program& program,
+                      RandomSource& random) {
+  for (const auto& [device, name] : program.names) {
+    if (!is_port(device.kind) || !random.percent(30)) continue;
+    const int value = random.below(1024);
+    peripherals.sample(static_cast<int>(device.number - port::adc.number), value);
+    reference.set(device, static_cast<std::int16_t>(value));
+  }
+  if (program.dialect == Dialect::Ldmicro && random.percent(20)) {
+    const int byte = random.below(256);
+    peripherals.receive(byte);
+    reference.set(port::uart_rx_data, static_cast<std::int16_t>(byte));
+  }
+}
+
 void expect_equal(const CPrograms& c, std::size_t index, const Program& program, int scans,
                   RandomSource& random, std::uint32_t tick_us) {
   c.reset(index);
-  c.elapsed(index, tick_us);
+  if (program.dialect != Dialect::Ldmicro) c.elapsed(index, tick_us);
+  CPeripherals peripherals(c, index);
   Reference reference(program, tick_us);
   const std::vector<Device> devices = named_devices(program);
   for (int scan = 0; scan < scans; ++scan) {
@@ -47,14 +65,15 @@ void expect_equal(const CPrograms& c, std::size_t index, const Program& program,
       const bool input = device.kind == DeviceKind::X;
       if (is_driven_device(device, program.dialect) || !random.percent(input ? 40 : 3)) continue;
       const std::int16_t value = random_value(device, random);
-      c.set(index, device_name(device, program.dialect), value);
+      c.set(index, device_name(device, program), value);
       reference.set(device, value);
     }
-    c.cycle(index);
+    stir_peripherals(peripherals, reference, program, random);
     reference.run_scan();
+    ASSERT_EQ(peripherals.cycle(), reference.sent()) << "program " << index << ", scan " << scan;
     ASSERT_EQ(c.error(index), reference.error()) << "program " << index << ", scan " << scan;
     for (const Device device : devices) {
-      const std::string name = device_name(device, program.dialect);
+      const std::string name = device_name(device, program);
       ASSERT_EQ(c.get(index, name), reference.get(device))
           << "program " << index << ", scan " << scan << ", " << name;
     }
@@ -69,7 +88,8 @@ CPrograms::CPrograms(std::span<const Program> programs) {
   {
     std::ofstream file(base + ".c");
     for (std::size_t i = 0; i < programs.size(); ++i) {
-      file << write_c(programs[i], {.prefix = fmt::format("p{}_", i), .table = true});
+      file << write_c(programs[i],
+                      {.prefix = fmt::format("p{}_", i), .table = true, .hooks = false});
     }
   }
   const std::string command = fmt::format(
@@ -136,6 +156,31 @@ void CPrograms::write(std::size_t program, Device device, std::int16_t value) co
     reinterpret_cast<void (*)(std::uint32_t, std::uint8_t)>(function)(
         device.number, static_cast<std::uint8_t>(value));
   }
+}
+
+void CPeripherals::set(Device port, long value) const {
+  c_.set(program_, c_port_name(port), value);
+}
+
+void CPeripherals::receive(int byte) const {
+  set(port::uart_rx_data, byte);
+  set(port::uart_rx_full, 1);
+}
+
+void CPeripherals::sample(int channel, int value) const {
+  set(port::at(port::adc, channel), value);
+}
+
+std::vector<int> CPeripherals::cycle() {
+  set(port::uart_tx_ready, busy_ ? 0 : 1);
+  c_.cycle(program_);
+  const auto get = [&](Device port) {
+    return static_cast<int>(c_.get(program_, c_port_name(port)));
+  };
+  // A program that sends nothing has no such port, and it reads 0.
+  const bool has_port = c_.set(program_, c_port_name(port::uart_tx_data), get(port::uart_tx_data));
+  busy_ = has_port && !busy_ && get(port::uart_tx_ready) == 0;
+  return busy_ ? std::vector<int>{get(port::uart_tx_data) & 0xFF} : std::vector<int>{};
 }
 
 void expect_c_equals_reference(const Program& program, int scans, RandomSource& random,

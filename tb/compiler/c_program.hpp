@@ -42,6 +42,27 @@ class CPrograms {
   void* library_ = nullptr;
 };
 
+// What LDmicro's simulator has around a program: the transmitter is busy in the scan of a byte and
+// in the next one; a byte that nobody takes waits, and a newer one replaces it; the lasting memory
+// is not ready.
+class CPeripherals {
+ public:
+  CPeripherals(const CPrograms& c, std::size_t program) : c_(c), program_(program) {}
+
+  // For the next scan.
+  void receive(int byte) const;
+  void sample(int channel, int value) const;
+  // One scan; gives the bytes that were sent in it.
+  std::vector<int> cycle();
+
+ private:
+  void set(Device port, long value) const;
+
+  const CPrograms& c_;
+  std::size_t program_;
+  bool busy_ = false;
+};
+
 // Runs `scans` scans of `program` as C and on the reference, with random inputs and at times a
 // random preset, and expects every named device and the error flag to be equal after each.
 void expect_c_equals_reference(const Program& program, int scans, RandomSource& random,

@@ -7,28 +7,45 @@
 #include <vector>
 
 #include "c_program.hpp"
+#include "reference_ldmicro_story.hpp"
 #include "reference_story.hpp"
 
 namespace rung {
 namespace {
 
 void run(const CPrograms& c, std::size_t index, const CStory& story) {
+  const bool own_time = story.dialect == Dialect::Ldmicro;
   const std::vector<std::string> before = scans_of(story.before);
   const std::vector<std::string> after = scans_of(story.after);
   ASSERT_EQ(before.size(), after.size());
   c.reset(index);
-  c.elapsed(index, story.tick_us);
+  if (!own_time) c.elapsed(index, story.tick_us);
+  CPeripherals peripherals(c, index);
   for (std::size_t scan = 0; scan < before.size(); ++scan) {
     std::istringstream given(before[scan]);
     for (std::string token; given >> token;) {
       const std::size_t equals = token.find('=');
-      ASSERT_TRUE(c.set(index, token.substr(0, equals), std::stol(token.substr(equals + 1))))
-          << token;
+      const std::string name = token.substr(0, equals);
+      const long value = std::stol(token.substr(equals + 1));
+      if (name == "RX") {
+        peripherals.receive(static_cast<int>(value));
+      } else {
+        ASSERT_TRUE(c.set(index, name, value)) << token;
+      }
     }
-    c.cycle(index);
+    const std::vector<int> sent = peripherals.cycle();
+    EXPECT_EQ(after[scan].find("TX=") != std::string::npos, !sent.empty()) << "scan " << scan;
     std::istringstream wanted(after[scan]);
     for (std::string token; wanted >> token;) {
       const std::string name = token.substr(0, token.find('='));
+      if (name == "TX") {
+        EXPECT_EQ(fmt::format("TX={}", fmt::join(sent, ",")), token) << "scan " << scan;
+        continue;
+      }
+      if (name == "ERROR") {
+        EXPECT_EQ(fmt::format("ERROR={}", c.error(index) ? 1 : 0), token) << "scan " << scan;
+        continue;
+      }
       EXPECT_EQ(fmt::format("{}={}", name, c.get(index, name)), token) << "scan " << scan;
     }
   }
@@ -40,7 +57,9 @@ void expect_c_stories(std::span<const CStory> stories) {
   std::vector<Program> programs;
   for (const CStory& story : stories) {
     SCOPED_TRACE(story.name);
-    programs.push_back(story_program(story.text, story.dialect));
+    programs.push_back(story.dialect == Dialect::Ldmicro
+                           ? ld_program(story.text)
+                           : story_program(story.text, story.dialect));
   }
   ASSERT_FALSE(testing::Test::HasFailure());
   const CPrograms c(programs);

@@ -12,9 +12,9 @@ namespace rung {
 
 struct CStory {
   const char* name;
-  const char* text;    // instructions between commas, without END
-  const char* before;  // of each scan, between bars: "X0=1 D0=7 | | X0=0"
-  const char* after;   // of each scan
+  const char* text;    // instructions between commas, without END; rungs between semicolons
+  const char* before;  // of each scan, between bars: "X0=1 D0=7 | | X0=0"; RX=65: a byte arrives
+  const char* after;   // of each scan; TX=65: this byte is sent, ERROR=1: division by zero
   Dialect dialect = Dialect::Fx;
   std::uint32_t tick_us = 10000;
 };

@@ -11,6 +11,7 @@
 
 #include "backends/ld_writer.hpp"
 #include "backends/list_writer.hpp"
+#include "fuzz/bytecode_reader.hpp"
 #include "image/image_file.hpp"
 #include "ldmicro/ldmicro.hpp"
 #include "melsec/comments.hpp"
@@ -203,6 +204,7 @@ constexpr Reader kReaders[] = {
     {"trace", read_golden},
     {"image", read_image},
     {"ldmicro_trace", read_shown},
+    {"bytecode", read_bytecode},
 };
 
 }  // namespace

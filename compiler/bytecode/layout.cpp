@@ -13,9 +13,15 @@ Layout::Layout(const Program& source, const core::Program& program) {
   for (const Device device : core::devices(program)) all.insert(device);
   for (const auto& window : program.windows) all.insert(window.begin(), window.end());
   for (const core::TickWord& word : program.ticks) all.insert(word.device);
+  for (const core::ConstantWord& word : program.constants) all.erase(word.device);
   // Hidden kinds stand last among the bits and among the words.
   for (const Device device : all) devices_[device] = is_word(device) ? words_++ : bits_++;
 
+  // Tables are read by an index: each in one piece.
+  for (const core::ConstantWord& word : program.constants) {
+    devices_[word.device] = words();
+    constants_.push_back(word.value);
+  }
   for (const core::Instruction& instruction : program.instructions) {
     // The number of a bit stands in the instruction itself.
     if (instruction.op == core::Op::Tb) continue;

@@ -88,7 +88,8 @@ void define_check(CLI::App& app, Options& options) {
   define_common(*command, options);
   define_mpu(*command, options, true);
   command->add_flag("--paper", options.paper, "compile with the paper's instruction forms only");
-  command->add_option("--golden", options.golden, "golden sequence trace")->required();
+  command->add_option("--golden", options.golden, "golden sequence trace, or LDmicro's own")
+      ->required();
   command->add_option("--stimulus", options.stimulus, "inputs instead of those in the trace");
   command->add_option("--tick", options.tick, "milliseconds from scan to scan; else the trace's");
 }

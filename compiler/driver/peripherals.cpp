@@ -9,8 +9,10 @@
 namespace rung {
 namespace {
 
-// The receiver looks at each bit several times; below this it cannot.
-constexpr double kLeastClocksABit = 8;
+constexpr double kFractionsABit = 8.0 * (1 << 20);
+constexpr double kMostStep = 1 << 20;
+// Down to here the receiver is known to bear a sender that is 2 % off (tb/peripherals).
+constexpr double kLeastClocksABit = 13;
 constexpr double kMostBaudError = 0.02;
 constexpr double kClocksForPercent = 100;
 
@@ -26,26 +28,34 @@ bool uses_uart(const Program& program) {
                      });
 }
 
-// Bits last a whole number of clocks.
+// The UART counts 8 * 2^20 fractions of a bit in a register of 20 bits (hdl/peripherals/uart_rx.v).
 void check_baud(const Program& program, const isa::Config& config, Diagnostics& diagnostics) {
   const LdmicroSettings& settings = *program.ldmicro;
-  const auto baud = static_cast<double>(settings.baud);
-  const double clocks = std::round(config.clock_hz / baud);
-  if (clocks < kLeastClocksABit) {
+  const double clock = config.clock_hz;
+  const double step = std::round(kFractionsABit * static_cast<double>(settings.baud) / clock);
+  const auto highest = static_cast<std::int64_t>(clock / kLeastClocksABit);
+  const std::string what = fmt::format("BAUD={}: the clock of configuration {}, {},", settings.baud,
+                                       config.name, megahertz(config));
+  if (step < 1 || step >= kMostStep) {
     diagnostics.error(
-        program.file, settings.baud_position,
-        fmt::format("BAUD={}: the clock of configuration {}, {}, cannot make it", settings.baud,
-                    config.name, megahertz(config)),
-        fmt::format("the highest is {}", static_cast<int>(config.clock_hz / kLeastClocksABit)));
+        program.file, settings.baud_position, what + " cannot make it",
+        fmt::format("choose one from {} to {}", 1 + config.clock_hz / (1 << 23), highest));
     return;
   }
-  const double made = config.clock_hz / clocks;
-  if (std::abs(made - baud) <= kMostBaudError * baud) return;
-  diagnostics.warning(
-      program.file, settings.baud_position,
-      fmt::format("BAUD={}: the clock of configuration {}, {}, makes {:.0f}, {:+.1f} % off",
-                  settings.baud, config.name, megahertz(config), made, 100 * (made - baud) / baud),
-      "choose a lower one, or one that divides the clock");
+  const double made = step * clock / kFractionsABit;
+  const double off =
+      (made - static_cast<double>(settings.baud)) / static_cast<double>(settings.baud);
+  if (std::abs(off) > kMostBaudError) {
+    diagnostics.warning(program.file, settings.baud_position,
+                        fmt::format("{} makes {:.1f}, {:+.1f} % off", what, made, 100 * off),
+                        "choose a higher one");
+  } else if (settings.baud > highest) {
+    diagnostics.warning(
+        program.file, settings.baud_position,
+        fmt::format("{} has {:.1f} clocks a bit, too few for a sender that is 2 % off", what,
+                    clock / static_cast<double>(settings.baud)),
+        fmt::format("choose {} or less", highest));
+  }
 }
 
 void check_pwm(const Program& program, const Instruction& pwm, const isa::Config& config,

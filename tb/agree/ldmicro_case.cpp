@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <set>
 #include <sstream>
 #include <utility>
 
@@ -11,6 +12,7 @@
 #include "programs/ldmicro_stimulus.hpp"
 #include "programs/random_ldmicro.hpp"
 #include "programs/random_source.hpp"
+#include "rungs/ports.hpp"
 
 namespace rung::tb {
 namespace {
@@ -27,15 +29,34 @@ Identity identity(const Program& program, Device device) {
   return {device.kind, std::move(name)};
 }
 
+// The device ports through which elements that no trace shows are seen.
+std::set<Device> ports_of(const Program& program) {
+  std::set<Device> ports;
+  for (const Instruction& instruction : program.instructions) {
+    if (instruction.op == Op::UartRecv) ports.insert(port::uart_rx_full);
+    if (instruction.op == Op::SetPwm) {
+      ports.insert({port::pwm_duty, port::pwm_hz_low, port::pwm_hz_high});
+    }
+    if (instruction.op == Op::Persist) {
+      ports.insert({port::persist_ready, port::persist_index,
+                    port::at(port::persist_value, instruction.operand(1).value)});
+    }
+  }
+  return ports;
+}
+
 std::vector<std::vector<StimulusEvent>> events_left(const Case& original, const Program& program) {
   std::map<Identity, Device> left;
   for (const auto& [device, name] : program.names) left[identity(program, device)] = device;
+  const std::set<Device> ports = ports_of(program);
   std::vector<std::vector<StimulusEvent>> events;
   for (const auto& scan : original.events) {
     auto& now = events.emplace_back();
     for (const StimulusEvent& event : scan) {
       if (!original.program.names.contains(event.device)) {
-        now.push_back(event);  // a received byte
+        if (event.device == port::uart_rx_data || ports.contains(event.device)) {
+          now.push_back(event);
+        }
         continue;
       }
       const auto found = left.find(identity(original.program, event.device));
@@ -68,6 +89,7 @@ std::optional<Case> make_ldmicro_case(std::uint64_t seed, const std::string& tex
   for (const auto& [device, name] : one.program.names) {
     if (!is_hidden(device.kind)) one.devices.push_back(device);
   }
+  for (const Device port : ports_of(one.program)) one.devices.push_back(port);
   if (original != nullptr) {
     one.events = events_left(*original, one.program);
     return one;

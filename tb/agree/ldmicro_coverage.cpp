@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <vector>
 
+#include "rungs/ports.hpp"
+
 namespace rung::tb {
 namespace {
 
@@ -110,6 +112,8 @@ const char* event(const Instruction& instruction, const std::vector<std::int32_t
       return values[0] > values[1] ? "timer beyond its limit"
              : values[0] < 0       ? "timer below zero"
                                    : nullptr;
+    case Op::Persist:
+      return values_of(after, instruction) != values ? "PERSIST restores" : nullptr;
     case Op::FormattedString:
       return values.empty() ? nullptr : values[0] < 0 ? "string below zero" : nullptr;
     default:
@@ -128,6 +132,7 @@ void LdmicroCoverage::run_scan(const Program& program, Reference& reference) {
     const bool in = reference.result();
     const std::vector<std::int32_t> values = values_of(reference, instruction);
     const std::size_t sent = reference.sent().size();
+    const bool memory_ready = reference.get(port::persist_ready) != 0;
     if (!reference.step()) break;
     const bool out = reference.result();
     if (instruction.op == Op::Rung) {
@@ -139,6 +144,7 @@ void LdmicroCoverage::run_scan(const Program& program, Reference& reference) {
     count(fmt::format("{} {:d}>{:d}", key, in, out));
     if (const char* what = event(instruction, values, in, reference)) count(what);
     if (reference.sent().size() > sent) count(key + " sends");
+    if (memory_ready && reference.get(port::persist_ready) == 0) count("PERSIST keeps");
   }
 }
 

@@ -95,6 +95,10 @@ class LdmicroOnBoard : public testing::Test {
     for (int i = 1; i <= image.port_words; ++i) {
       board_.write(kWords, static_cast<std::uint32_t>(config.word_devices - i), 0);
     }
+    for (const image::ImageConstant& each : image.constants) {
+      board_.write(kWords, static_cast<std::uint32_t>(each.address),
+                   static_cast<std::uint16_t>(each.value));
+    }
     board_.write(kLength, 0, static_cast<std::uint16_t>(image.steps.size()));
     const std::uint32_t step = baud_step(12e6 / static_cast<double>(image.baud));
     board_.write(kPorts, 0, static_cast<std::uint16_t>(image.port_words << 8 | image.port_bits));

@@ -9,8 +9,11 @@
 #include <string>
 #include <vector>
 
+#include "backends/ld_writer.hpp"
 #include "backends/list_writer.hpp"
+#include "fuzz/bytecode_reader.hpp"
 #include "image/image_file.hpp"
+#include "ldmicro/ldmicro.hpp"
 #include "melsec/comments.hpp"
 #include "melsec/list.hpp"
 #include "melsec/melsec.hpp"
@@ -42,7 +45,8 @@ bool same(const Program& left, const Program& right) {
     const Instruction& a = left.instructions[i];
     const Instruction& b = right.instructions[i];
     if (a.op != b.op || a.operands != b.operands || a.width != b.width || a.pulse != b.pulse ||
-        a.relation != b.relation || a.base_us != b.base_us || a.destination != b.destination) {
+        a.relation != b.relation || a.base_us != b.base_us || a.destination != b.destination ||
+        a.table != b.table || a.note != b.note) {
       return false;
     }
   }
@@ -74,6 +78,28 @@ void read_program(std::string_view bytes, const std::string& file) {
 void read_list(std::string_view bytes) { read_program(bytes, "fuzz.esc"); }
 
 void read_csv(std::string_view bytes) { read_program(bytes, "fuzz.csv"); }
+
+// What is accepted is written, where LDmicro 2.3 has room for it, which must be the same program.
+void read_ld(std::string_view bytes) {
+  Diagnostics diagnostics;
+  const auto text = decode_ldmicro(bytes, "fuzz.ld", diagnostics);
+  check(text.has_value(), diagnostics);
+  if (!text) return;
+  const auto program = parse_ldmicro(*text, diagnostics);
+  check(program.has_value(), diagnostics);
+  if (!program) return;
+  Diagnostics writing;
+  const auto file = to_ld(*program, writing);
+  check(file.has_value(), writing);
+  if (!file) return;
+  Diagnostics again;
+  const auto written = decode_ldmicro(*file, "again.ld", again);
+  require(written.has_value(), "the written file is no text");
+  const auto back = parse_ldmicro(*written, again);
+  require(back.has_value() && same(*program, *back) && back->names == program->names &&
+              back->ldmicro->pins == program->ldmicro->pins,
+          "the written file is another program");
+}
 
 void read_comments(std::string_view bytes) {
   Diagnostics decoding;
@@ -170,9 +196,15 @@ void read_image(std::string_view bytes) {
 }
 
 constexpr Reader kReaders[] = {
-    {"list", read_list},           {"csv", read_csv},      {"comments", read_comments},
-    {"stimulus", read_stimulus},   {"trace", read_golden}, {"image", read_image},
+    {"list", read_list},
+    {"csv", read_csv},
+    {"ld", read_ld},
+    {"comments", read_comments},
+    {"stimulus", read_stimulus},
+    {"trace", read_golden},
+    {"image", read_image},
     {"ldmicro_trace", read_shown},
+    {"bytecode", read_bytecode},
 };
 
 }  // namespace

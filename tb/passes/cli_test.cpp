@@ -182,6 +182,64 @@ TEST_F(Cli, WrongInputIsRefusedAndLeavesNothing) {
   }
 }
 
+constexpr const char* kLatch =
+    "LDmicro0.1\nCYCLE=20000\n\nPROGRAM\nRUNG\n  PARALLEL\n    CONTACTS Xon 0\n"
+    "    CONTACTS Ylamp 0\n  END\n  CONTACTS Xoff 1\n  COIL Ylamp 0 0 0\nEND\n";
+
+TEST_F(Cli, LdmicroProgramsLikeLists) {
+  const std::string program = file("latch.ld", kLatch);
+  const std::string stimulus = file("latch.stim", "Xon=1\nXon=0\nXoff=1\n");
+  for (const char* mpu : {"1", "2", "3", "reference"}) {
+    const Result r =
+        rung("run " + program + " --mpu " + mpu + " --stimulus " + stimulus + " --trace -");
+    EXPECT_EQ(r.code, 0) << r.err;
+    EXPECT_NE(r.out.find("\"dialect\":\"ldmicro\",\"tick_ms\":20"), std::string::npos) << r.out;
+    EXPECT_NE(r.out.find("\"out\":{\"Ylamp\":1}"), std::string::npos) << r.out;
+    EXPECT_NE(r.out.find("\"out\":{\"Ylamp\":0}"), std::string::npos) << r.out;
+  }
+  // By the option where no suffix shows it.
+  EXPECT_EQ(rung("compile - --dialect ldmicro --json", program).code, 0);
+  const Result json = rung("compile " + program + " --json");
+  EXPECT_EQ(nlohmann::json::parse(json.out)["rungs"], 1);
+  EXPECT_EQ(nlohmann::json::parse(json.out)["instructions"], 4);
+}
+
+TEST_F(Cli, LdmicroProgramsAreTranslated) {
+  const std::string program = file("latch.ld", kLatch);
+  const Result r = rung("translate " + program + " --to ld -o " + path("again.ld"));
+  EXPECT_EQ(r.code, 0) << r.err;
+  const std::string text = read(path("again.ld"));
+  EXPECT_EQ(text.substr(0, 23), "LDmicro0.1\nCYCLE=20000\n");
+  const Result again = rung("translate " + path("again.ld") + " --to ld");
+  EXPECT_EQ(again.out, text);
+  EXPECT_EQ(rung("translate " + program + " --to c").code, 0);
+  // Neither form holds all of the other.
+  const Result list = rung("translate " + program + " --to il -o " + path("out.il"));
+  EXPECT_EQ(list.code, 1);
+  EXPECT_NE(list.err.find("latch.ld:1:1: error:"), std::string::npos) << list.err;
+  EXPECT_EQ(rung("translate " + file("motor.il", kMotor) + " --to ld").code, 1);
+  EXPECT_FALSE(fs::exists(path("out.il")));
+  // Nothing is written of what passes a limit of LDmicro 2.3.
+  const std::string comment =
+      "LDmicro0.1\nPROGRAM\nRUNG\nCOMMENT " + std::string(400, 'c') + "\nEND\n";
+  const Result refused =
+      rung("translate " + file("long.ld", comment) + " --to ld -o " + path("out.ld"));
+  EXPECT_EQ(refused.code, 1);
+  EXPECT_NE(refused.err.find("long.ld:4:1: error: COMMENT: 400 bytes"), std::string::npos);
+  EXPECT_FALSE(fs::exists(path("out.ld")));
+}
+
+TEST_F(Cli, OptionsOfListsAreWrongUsageForLdmicroPrograms) {
+  const std::string program = file("latch.ld", kLatch);
+  const std::string names = file("names.csv", "\"X0\",\"start\"\n");
+  for (const std::string& option :
+       {std::string("--paper"), "--comments " + names, std::string("--tick 5")}) {
+    const Result r = rung("run " + program + " " + option);
+    EXPECT_EQ(r.code, 2) << option << r.err;
+    EXPECT_NE(r.err.find(option.substr(0, 6)), std::string::npos) << r.err;
+  }
+}
+
 TEST_F(Cli, CommentsNameDevicesInTracesAndListings) {
   const std::string program = file("door.il", "LD X0\nOUT Y0\nEND\n");
   const std::string names =

@@ -35,17 +35,27 @@ std::int16_t value_of(RandomSource& random, Device device) {
   return is_word(device) ? word_value(random) : static_cast<std::int16_t>(random.below(2));
 }
 
+int uses(const Program& program, Op op) {
+  return static_cast<int>(
+      std::count_if(program.instructions.begin(), program.instructions.end(),
+                    [&](const Instruction& instruction) { return instruction.op == op; }));
+}
+
 }  // namespace
 
 std::vector<std::vector<StimulusEvent>> ldmicro_stimulus(std::uint64_t seed, const Program& program,
                                                          int scans) {
   RandomSource random(seed ^ 0x7374696D);
   std::vector<std::vector<StimulusEvent>> events(static_cast<std::size_t>(scans));
-  const bool receives =
-      std::any_of(program.instructions.begin(), program.instructions.end(),
-                  [](const Instruction& instruction) { return instruction.op == Op::UartRecv; });
+  const bool receives = uses(program, Op::UartRecv) > 0;
+  const int kept = uses(program, Op::Persist);
   const int calm = random.below(3);  // how long inputs stay as they are
   const int arrivals = random.below(60);
+  // The lasting memory is never ready, as in LDmicro's simulator, or now and then.
+  const int ready = kept > 0 && random.percent(70) ? 5 + random.below(60) : 0;
+  for (int i = 0; i < kept && ready > 0; ++i) {
+    events[0].push_back({port::at(port::persist_value, i), word_value(random)});
+  }
   for (int scan = 0; scan < scans; ++scan) {
     auto& now = events[static_cast<std::size_t>(scan)];
     for (const auto& [device, name] : program.names) {
@@ -55,6 +65,7 @@ std::vector<std::vector<StimulusEvent>> ldmicro_stimulus(std::uint64_t seed, con
     if (receives && random.percent(arrivals)) {
       now.push_back({port::uart_rx_data, static_cast<std::int16_t>(random.below(256))});
     }
+    if (ready > 0 && random.percent(ready)) now.push_back({port::persist_ready, 1});
   }
   return events;
 }

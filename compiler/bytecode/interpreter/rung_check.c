@@ -87,7 +87,9 @@ static int take_operand(const rung_vm* vm, part* code, char kind) {
       return take_device(code, vm->first_constant);
     case 'a':
       return take_window(code, vm->bits_count);
-    case 'A':
+    case 'x':
+      return take_window(code, vm->words_count);
+    case 'X':
       return take_window(code, vm->first_constant);
     default: /* 'n' */
       return take_byte(code, &number) && number < 16;

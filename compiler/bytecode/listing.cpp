@@ -91,8 +91,8 @@ class Lister {
       case 'W':
         return device(RUNG_SPACE_WORD);
       case 'a':
-      case 'x':
-      case 'X': {
+      case 'A':
+      case 't': {
         const std::string first = device(kind == 'a' ? RUNG_SPACE_BIT : RUNG_SPACE_WORD);
         return fmt::format("{}[{}]", first, next_number());
       }

@@ -91,6 +91,8 @@ static int take_operand(const rung_vm* vm, part* code, char kind) {
       return take_window(code, vm->words_count);
     case 'X':
       return take_window(code, vm->first_constant);
+    case 't':
+      return take_window(code, vm->words_count);
     default: /* 'n' */
       return take_byte(code, &number) && number < 16;
   }

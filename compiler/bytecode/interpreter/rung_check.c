@@ -87,9 +87,7 @@ static int take_operand(const rung_vm* vm, part* code, char kind) {
       return take_device(code, vm->first_constant);
     case 'a':
       return take_window(code, vm->bits_count);
-    case 'x':
-      return take_window(code, vm->words_count);
-    case 'X':
+    case 'A':
       return take_window(code, vm->first_constant);
     case 't':
       return take_window(code, vm->words_count);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "ldmicro_support.hpp"
+#include "programs/random_ldmicro.hpp"
 
 namespace rung {
 namespace {
@@ -61,6 +62,23 @@ TEST(LdmicroWriter, Encodings) {
   EXPECT_EQ(written("\u8868 and \u00DF"), "\u8868 and \u00DF");
   // In code page 1252 these bytes would be Japanese to the reader.
   EXPECT_EQ(written("\u00E9t\u00E9s"), "\u00E9t\u00E9s");
+}
+
+// They keep to the limits, or it is said which one they pass.
+TEST(LdmicroWriter, RandomPrograms) {
+  int written = 0;
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    const Program program = good_ld(random_ldmicro(seed, ldmicro_options(seed)));
+    Diagnostics diagnostics;
+    if (to_ld(program, diagnostics)) {
+      expect_ld_round_trip(program);
+      ++written;
+    } else {
+      EXPECT_NE(printed(diagnostics).find("of which LDmicro 2.3"), std::string::npos);
+    }
+    ASSERT_FALSE(HasFailure()) << seed;
+  }
+  EXPECT_GT(written, 100);
 }
 
 std::string repeated(std::string_view line, int count) {

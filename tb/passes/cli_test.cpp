@@ -138,6 +138,20 @@ TEST_F(Cli, WrongUsageIsExit2) {
   }
 }
 
+TEST_F(Cli, ByteCodeIsAFileOrAListing) {
+  const std::string program = file("motor.il", kMotor);
+  const std::string output = path("motor.rbc");
+  const Result r = rung("translate " + program + " --to bytecode -o " + output);
+  EXPECT_EQ(r.code, 0);
+  EXPECT_EQ(r.out + r.err, "");
+  EXPECT_EQ(read(output).substr(0, 4), "RBC\x1A");
+  EXPECT_EQ(rung("translate " + program + " --to bytecode").out, read(output));
+  const Result text = rung("translate " + program + " --to bytecode --listing");
+  EXPECT_EQ(text.code, 0);
+  EXPECT_NE(text.out.find("ANI X1\n"), std::string::npos) << text.out;
+  EXPECT_EQ(rung("translate " + program + " --to il --listing").code, 2);
+}
+
 // Every kind of wrong input: exit 1, a message at its place, and no output file.
 TEST_F(Cli, WrongInputIsRefusedAndLeavesNothing) {
   struct Case {

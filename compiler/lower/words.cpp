@@ -63,6 +63,16 @@ Words copy(Context& context, const Words& value) {
   return words;
 }
 
+// The number of a place within the window of its kind.
+WordSource number_of(const Context& context, const Place& place) {
+  if (place.offset) return word(*place.offset);
+  const Device device = place.operand.device;
+  const std::uint32_t first = context.window(device.kind).front().number;
+  return constant(static_cast<std::int32_t>(device.number - first));
+}
+
+// Of pairs that overlap, the one with the higher number is written last and stands. Where an index
+// decides which one that is, the first is stored on either side of the second.
 void exchange(Context& context) {
   const Instruction& source = context.source();
   Requirements requirements;
@@ -71,7 +81,22 @@ void exchange(Context& context) {
   const auto count = static_cast<int>(a.size());
   const Place first = place(context, source.operand(0), count, requirements.valid);
   const Place second = place(context, source.operand(1), count, requirements.valid);
-  // Where pairs overlap, the one with the higher numbers has the last word.
+  const bool same_kind = first.operand.device.kind == second.operand.device.kind;
+  if (count > 1 && same_kind && (first.offset || second.offset)) {
+    const Device ascending = test_less(context, {number_of(context, first), constant(0)},
+                                       {number_of(context, second), constant(0)}, 16);
+    const auto store_first = [&](Core contact) {
+      context.block(Core::Mps);
+      context.contact(contact, ascending);
+      store(context, first, b);
+      context.block(Core::Mpp);
+    };
+    Execution execution(context, requirements);
+    store_first(Core::And);
+    store(context, second, a);
+    store_first(Core::Ani);
+    return execution.end();
+  }
   const bool in_order = source.operand(0).device <= source.operand(1).device;
   Execution execution(context, requirements);
   if (in_order) store(context, first, b);

@@ -4,7 +4,8 @@
 #
 # usage: setup.sh build|lint|flow|bench|fuzz
 #
-#   build  C++ compiler, CMake, Verilator and the C++ libraries       (make build, sim, test)
+#   build  C++ compiler, CMake, Verilator, the C++ libraries; AVR compiler and simulator, which
+#          the tests take                                             (make build, sim, test)
 #   lint   build, clang-format and the Verilog linter                  (make lint)
 #   flow   Yosys and nextpnr in build/venv                             (make synth, pnr)
 #   bench  build, flow, and the RISC-V compiler for the yardsticks     (make bench, report)

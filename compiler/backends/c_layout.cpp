@@ -11,16 +11,6 @@
 namespace rung {
 namespace {
 
-struct PortName {
-  Device first;
-  int count;
-  std::string_view name;
-};
-#define RUNG_PORT(name, kind, number, count) {{DeviceKind::kind, number}, count, #name},
-constexpr PortName kPortNames[] = {
-#include "ports.inc"
-};
-
 std::vector<Device> used_ports(const Program& program) {
   std::set<Device> ports;
   for (const Instruction& instruction : program.instructions) {
@@ -93,14 +83,17 @@ std::string CLayout::name(Device device) const {
   return name.substr(0, name.find(':'));
 }
 
-std::string CLayout::port_place(Device port) const {
-  const auto found =
-      std::find_if(std::begin(kPortNames), std::end(kPortNames), [&](const PortName& each) {
-        return each.first.kind == port.kind && port.number >= each.first.number &&
-               port.number < each.first.number + static_cast<std::uint32_t>(each.count);
-      });
-  if (found->count == 1) return fmt::format("@.{}", found->name);
-  return fmt::format("@.{}[{}]", found->name, port.number - found->first.number);
+std::string CLayout::port_place(Device port) {
+  const auto among = [&](Device first, int count) {
+    return port >= first && port < port::at(first, count);
+  };
+  if (among(port::adc, port::adc_count)) {
+    return fmt::format("@.adc[{}]", port.number - port::adc.number);
+  }
+  if (among(port::persist_value, port::persist_value_count)) {
+    return fmt::format("@.persist_value[{}]", port.number - port::persist_value.number);
+  }
+  return "@." + port::name(port);
 }
 
 std::string CLayout::array(DeviceKind kind) {

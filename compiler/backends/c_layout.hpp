@@ -49,7 +49,7 @@ class CLayout {
   std::vector<Device> of_role(SpecialRole role) const;
 
  private:
-  std::string port_place(Device port) const;
+  static std::string port_place(Device port);
 
   const Program& program_;
   Dialect dialect_;

@@ -84,21 +84,23 @@ void CRoutine::source_comment(std::size_t index) {
       [](const Network& network, std::size_t wanted) { return network.first < wanted; });
   if (found == networks.end() || found->first != index || found->count == 0) return;
   unit_.body.blank();
-  unit_.body.comment(fmt::format("/* {} {}, by the lines of its source",
-                                 unit_.is_ldmicro() ? "Rung" : "Network",
-                                 found - networks.begin() + 1));
+  std::string line =
+      fmt::format("/* {} {}, by the lines of its source", unit_.is_ldmicro() ? "Rung" : "Network",
+                  found - networks.begin() + 1);
   for (std::size_t i = index; i < index + found->count; ++i) {
     const Instruction& instruction = unit_.program.instructions[i];
-    std::string line =
-        fmt::format(" * {:5}: {}", instruction.position.line, comment_text(instruction.text));
+    // Where one branch ends and the next begins there is no line that says so.
+    if (instruction.text.empty()) continue;
+    unit_.body.comment(line);
+    line = fmt::format(" * {:5}: {}", instruction.position.line, comment_text(instruction.text));
     for (const Operand& operand : instruction.operands) {
       const auto comment = unit_.program.comments.find(operand.device);
       const bool device = operand.kind == Operand::Kind::Device;
       if (!device || comment == unit_.program.comments.end()) continue;
       line += fmt::format("  [{}]", comment_text(comment->second));
     }
-    unit_.body.comment(line + (i + 1 == index + found->count ? " */" : ""));
   }
+  unit_.body.comment(line + " */");
 }
 
 std::string CRoutine::local(const std::string& name, bool reads) {

@@ -91,7 +91,8 @@ class Lister {
       case 'W':
         return device(RUNG_SPACE_WORD);
       case 'a':
-      case 'A': {
+      case 'A':
+      case 't': {
         const std::string first = device(kind == 'a' ? RUNG_SPACE_BIT : RUNG_SPACE_WORD);
         return fmt::format("{}[{}]", first, next_number());
       }

@@ -107,7 +107,8 @@ std::string source_of(std::span<const Case> cases) {
     text += fmt::format("static const char *const n{}[] = {{", i);
     const Program& program = cases[i].program;
     for (const Device device : cases[i].devices) {
-      text += fmt::format("\"{}\",", device_name(device, program));
+      text += fmt::format(
+          "\"{}\",", is_port(device.kind) ? c_port_name(device) : device_name(device, program));
     }
     for (const Device device : harness_ports()) {
       text += fmt::format("\"{}\",", c_port_name(device));
@@ -135,8 +136,9 @@ std::string input_of(std::span<const Case> cases) {
   };
   for (const Case& one : cases) {
     std::map<Device, std::size_t> index;
-    for (const Device device : one.devices) index.emplace(device, index.size());
-    for (const Device port : harness_ports()) index.emplace(port, index.size());
+    std::size_t number = 0;  // a port may stand among the devices, too
+    for (const Device device : one.devices) index.emplace(device, number++);
+    for (const Device port : harness_ports()) index.emplace(port, number++);
     add(one.tick_us);
     add(one.scans());
     for (const auto& events : one.events) {

@@ -10,6 +10,9 @@
 #include <array>
 #include <cstring>
 
+// The leak sanitizer asks for it: the simulator does not free what it has taken.
+extern "C" const char* __lsan_default_suppressions() { return "leak:libsimavr"; }
+
 namespace rung::tb {
 namespace {
 

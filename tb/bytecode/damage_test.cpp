@@ -103,6 +103,8 @@ const std::vector<Wrong> kWrong = {
     {"half an operand", op(Code::LD, 0x80), RUNG_VM_BAD_OPERAND},
     {"a constant as target", op(Code::MOV, 0, 16) + op(Code::END), RUNG_VM_BAD_OPERAND},
     {"a constant in a window", op(Code::STOREW, 0, 14, 3, 0) + op(Code::END), RUNG_VM_BAD_OPERAND},
+    {"a window beyond the constants", op(Code::LOADW, 0, 14, 4, 0) + op(Code::END),
+     RUNG_VM_BAD_OPERAND},
     {"a window that ends too high", op(Code::SETB, 0, 6, 3) + op(Code::END), RUNG_VM_BAD_OPERAND},
     {"a window of nothing", op(Code::SETB, 0, 0, 0) + op(Code::END), RUNG_VM_BAD_OPERAND},
     {"a bit number of 16", op(Code::TB, 0, 16, 0) + op(Code::END), RUNG_VM_BAD_OPERAND},

@@ -81,6 +81,20 @@ TEST(Interpreter, DevicesByNumberStayWithinTheProgram) {
   EXPECT_EQ(rung_vm_bit(vm, 7), 0);
 }
 
+TEST(Interpreter, ATableIsAWindowOfConstants) {
+  HandMade file;
+  file.constants = {10, 20, -30};
+  file.code = op(Code::LOADW, 0, 16, 3, 1) + op(Code::END);
+  Loaded loaded(file.bytes());
+  ASSERT_EQ(loaded.error(), RUNG_VM_OK);
+  const int expected[] = {10, 20, -30, 0};
+  for (std::int16_t i = 0; i < 4; ++i) {
+    rung_vm_set_word(&loaded.vm(), 0, i);
+    rung_vm_scan(&loaded.vm(), 0);
+    EXPECT_EQ(rung_vm_word(&loaded.vm(), 1), expected[i]) << i;
+  }
+}
+
 TEST(Interpreter, NamesAreThoseOfTraces) {
   VmEngine engine(list("LD X17\nOUT Y0\nMOV D3 D4\nEND\n"));
   rung_vm_device device = {};

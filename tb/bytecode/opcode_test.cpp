@@ -187,7 +187,7 @@ std::vector<Code> instructions_of(const Bytes& code) {
         times = code[at++];
         continue;
       }
-      const int numbers = kind == 'a' || kind == 'A' ? 2 : times;
+      const int numbers = kind == 'a' || kind == 'A' || kind == 't' ? 2 : times;
       for (int i = 0; i < numbers; ++i) at += code[at] >= 0x80 ? 2 : 1;
       times = 1;
     }

@@ -2,6 +2,7 @@
 // The stimulus of an LDmicro program, which has names of its own, from a file and from a trace.
 #include <gtest/gtest.h>
 
+#include "programs/random_source.hpp"
 #include "reference/run.hpp"
 #include "reference_ldmicro_story.hpp"
 #include "rungs/ports.hpp"
@@ -115,6 +116,25 @@ TEST(LdStimulus, OfATraceSaysWhatIsWrong) {
             "g:2:1: error: the value of Xa is 2, not a number from 0 to 1\n"
             "g:2:1: error: the program has no who\n"
             "    a stimulus names the program's own inputs, relays, variables and channels\n");
+}
+
+TEST(LdStimulus, AnyTextIsReadOrRefused) {
+  static constexpr const char* kPieces[] = {"Xa", "=",   "1",  " ", "\n", "*",  "9",
+                                            "_",  "n:w", "Aa", "-", "RX", "xa", "0"};
+  const DeviceNames names(ld_program(kProgram));
+  RandomSource random(7);
+  int accepted = 0;
+  for (int round = 0; round < 5000; ++round) {
+    std::string text = "Xa=1";
+    for (int i = random.below(12); i > 0; --i) text += kPieces[random.bits() % std::size(kPieces)];
+    Diagnostics diagnostics;
+    const auto source = decode_text(text, "s", diagnostics);
+    ASSERT_TRUE(source);
+    const auto stimulus = parse_stimulus(*source, names, diagnostics);
+    ASSERT_EQ(stimulus.has_value(), !diagnostics.has_errors()) << text;
+    accepted += stimulus ? 1 : 0;
+  }
+  EXPECT_GT(accepted, 100);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // Traces of LDmicro's own simulator: reading them, and comparing them with ours.
 #include <gtest/gtest.h>
 
+#include "programs/random_source.hpp"
 #include "reference/run.hpp"
 #include "reference_ldmicro_story.hpp"
 #include "trace/ldmicro_trace.hpp"
@@ -108,6 +109,28 @@ TEST(LdTrace, ComparedWithOurs) {
   EXPECT_EQ(compared("v=1 q=0 TX=1"), "scan 0: state of q: expected 0, got nothing");
   EXPECT_EQ(compared("v=1"), "scan 0: bytes sent: expected [], got [1]");
   EXPECT_EQ(compared("v=1 TX=2"), "scan 0: bytes sent: expected [2], got [1]");
+}
+
+// Whatever stands there: refused with an error or accepted without, and equal to itself.
+TEST(LdTrace, TruncatedAndChanged) {
+  const std::string whole =
+      "0: Xa=1 v=-32768 n:w=7 TX=65\r\n1: Xa=0 TX=0 DIVZERO_HALT\nERROR: it has stopped\n";
+  static constexpr const char* kPieces[] = {"=", " ", ":", "\n", "TX=", "-", "0", "ERROR:", "\xFF"};
+  RandomSource random(6);
+  int accepted = 0;
+  for (int round = 0; round < 5000; ++round) {
+    std::string changed = whole.substr(0, random.bits() % (whole.size() + 1));
+    for (int i = random.below(3); i > 0 && !changed.empty(); --i) {
+      changed.insert(random.bits() % changed.size(), kPieces[random.bits() % std::size(kPieces)]);
+    }
+    static_cast<void>(is_ldmicro_trace(changed));
+    const ReadTrace result = read(changed);
+    ASSERT_NE(result.trace.has_value(), !result.messages.empty()) << changed;
+    if (!result.trace) continue;
+    ++accepted;
+    for (const TraceScan& scan : result.trace->scans) ASSERT_FALSE(compare_shown(scan, scan));
+  }
+  EXPECT_GT(accepted, 100);
 }
 
 }  // namespace

@@ -138,6 +138,20 @@ TEST_F(Cli, WrongUsageIsExit2) {
   }
 }
 
+TEST_F(Cli, ByteCodeIsAFileOrAListing) {
+  const std::string program = file("motor.il", kMotor);
+  const std::string output = path("motor.rbc");
+  const Result r = rung("translate " + program + " --to bytecode -o " + output);
+  EXPECT_EQ(r.code, 0);
+  EXPECT_EQ(r.out + r.err, "");
+  EXPECT_EQ(read(output).substr(0, 4), "RBC\x1A");
+  EXPECT_EQ(rung("translate " + program + " --to bytecode").out, read(output));
+  const Result text = rung("translate " + program + " --to bytecode --listing");
+  EXPECT_EQ(text.code, 0);
+  EXPECT_NE(text.out.find("ANI X1\n"), std::string::npos) << text.out;
+  EXPECT_EQ(rung("translate " + program + " --to il --listing").code, 2);
+}
+
 // Every kind of wrong input: exit 1, a message at its place, and no output file.
 TEST_F(Cli, WrongInputIsRefusedAndLeavesNothing) {
   struct Case {
@@ -295,6 +309,58 @@ TEST_F(Cli, AnUnwritableOutputIsAnError) {
   const Result r = rung("compile " + file("motor.il", kMotor) + " -o " + path("none/motor.img"));
   EXPECT_EQ(r.code, 1);
   EXPECT_NE(r.err.find("error:"), std::string::npos);
+}
+
+// An LDmicro program: its names, its cycle, what it sends; and what LDmicro's own simulator showed.
+constexpr const char* kEcho =
+    "LDmicro0.1\nCYCLE=20000\nPROGRAM\nRUNG\n    CONTACTS Xgo 0\n    READ_ADC level\n"
+    "    UART_SEND level\n    COIL Ybusy 0 0 0\nEND\n";
+
+TEST_F(Cli, LdmicroProgramsRunByTheirNames) {
+  const std::string program = file("echo.ld", kEcho);
+  const std::string stimulus = file("echo.stim", "level=300 *2\nXgo=1\n\nXgo=0 RX=1\n");
+  for (const char* mpu : {"reference", "1", "2", "3"}) {
+    const std::string on = std::string(" --mpu ") + mpu;
+    const Result r = rung("run " + program + on + " --stimulus " + stimulus + " --trace -");
+    EXPECT_EQ(r.code, 0) << r.err;
+    EXPECT_NE(r.out.find("\"dialect\":\"ldmicro\",\"tick_ms\":20"), std::string::npos) << r.out;
+    for (const char* part :
+         {"\"in\":{\"level\":300}", "\"in\":{\"Xgo\":1}", "[\"level\",300]",
+          "\"out\":{\"Ybusy\":1},\"tx\":[44]", "\"in\":{\"Xgo\":0,\"RX\":[1]}"}) {
+      EXPECT_NE(r.out.find(part), std::string::npos) << mpu << ": " << part << "\n" << r.out;
+    }
+    const std::string golden = file("echo.golden", r.out);
+    EXPECT_EQ(rung("check " + program + on + " --golden " + golden).code, 0);
+  }
+  ASSERT_EQ(rung("compile " + program + " -o " + path("echo.img")).code, 0);
+  EXPECT_EQ(rung("check " + path("echo.img") + " --golden " + path("echo.golden")).code, 0);
+}
+
+TEST_F(Cli, CheckTakesATraceOfLdmicrosSimulator) {
+  const std::string program = file("echo.ld", kEcho);
+  const std::string stimulus = " --stimulus " + file("echo.stim", "level=300\nXgo=1\n\nXgo=0\n");
+  const std::string shown =
+      "0: Xgo=0 Ybusy=0\n1: Xgo=1 Ybusy=1 level=300 TX=44\n2: Xgo=1 Ybusy=1 level=300\n";
+  const std::string good = file("good.trace", shown + "3: Xgo=0 Ybusy=0 level=300\n");
+  const std::string stopped = file("stopped.trace", shown + "3: Xgo=0 DIVZERO_HALT\n");
+  const std::string bad = file("bad.trace", shown + "3: Xgo=0 Ybusy=1 level=300\n");
+  const std::string check = "check " + program + " --golden ";
+  for (const char* mpu : {"reference", "1", "2", "3"}) {
+    const std::string on = stimulus + " --mpu " + mpu;
+    EXPECT_EQ(rung(check + good + on).code, 0) << mpu;
+    const Result note = rung(check + stopped + on);
+    EXPECT_EQ(note.code, 0);
+    EXPECT_NE(note.err.find("stopped.trace:4:1: note: "), std::string::npos) << note.err;
+    const Result r = rung(check + bad + on);
+    EXPECT_EQ(r.code, 3);
+    EXPECT_NE(r.err.find("bad.trace:4:1: scan 3: state of Ybusy: expected 1, got 0"),
+              std::string::npos)
+        << r.err;
+  }
+  EXPECT_EQ(rung(check + good).code, 2) << "without a stimulus";
+  EXPECT_EQ(rung(check + good + stimulus + " --tick 10").code, 2);
+  EXPECT_EQ(rung("run " + program + " --tick 20").code, 2);
+  EXPECT_EQ(rung(check + file("no.trace", "1: Xgo=0\n") + stimulus).code, 1);
 }
 
 }  // namespace

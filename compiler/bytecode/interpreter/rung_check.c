@@ -89,6 +89,8 @@ static int take_operand(const rung_vm* vm, part* code, char kind) {
       return take_window(code, vm->bits_count);
     case 'A':
       return take_window(code, vm->first_constant);
+    case 't':
+      return take_window(code, vm->words_count);
     default: /* 'n' */
       return take_byte(code, &number) && number < 16;
   }

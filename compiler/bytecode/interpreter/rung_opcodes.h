@@ -6,6 +6,7 @@
  *   b B  a bit device, read or written       w W  a word device, read or written (no constant)
  *   n    a bit number, 0 to 15, one byte     s    a distance in bytes
  *   a A  a window of bits or words: its first device, then how many there are
+ *   t    the same of words that are only read: constants, too
  *   c    a count from 1 on, one byte; the letter behind it stands so many times
  * effect, on the result r and the stacks:
  *   .    none: it may stand behind IF         r   uses or changes r
@@ -55,7 +56,7 @@ RUNG_OPCODE(LTU, 38, "wwB", ".", "B <- w < w, unsigned")
 RUNG_OPCODE(LT32, 39, "wwwwB", ".", "B <- w w < w w, signed")
 RUNG_OPCODE(TB, 40, "wnB", ".", "B <- bit n of w")
 RUNG_OPCODE(GATHER, 41, "cbW", ".", "W <- the bits b..., 16 at most, the first in bit 0")
-RUNG_OPCODE(LOADW, 42, "wAW", ".", "W <- word w of the window; 0 outside of it; w is unsigned")
+RUNG_OPCODE(LOADW, 42, "wtW", ".", "W <- word w of the window; 0 outside of it; w is unsigned")
 RUNG_OPCODE(STOREW, 43, "wAw", ".", "word w of the window <- the second w; nothing outside of it")
 RUNG_OPCODE(LOADB, 44, "waB", ".", "B <- bit w of the window; 0 outside of it")
 RUNG_OPCODE(SETB, 45, "wa", ".", "bit w of the window <- 1; nothing outside of it")

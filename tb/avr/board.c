@@ -24,9 +24,7 @@ static uint8_t sending;
 
 ISR(TIMER1_COMPA_vect) { tick = 1; }
 
-uint8_t board_input(uint8_t number) {
-  return (uint8_t)(PIND >> (number + 4) & 1);
-}
+uint8_t board_input(uint8_t number) { return (uint8_t)(PIND >> (number + 4) & 1); }
 
 void board_output(uint8_t number, uint8_t value) {
   const uint8_t bit = (uint8_t)(1 << (number < 3 ? number : number + 1));
@@ -72,11 +70,11 @@ void PlcSetPwm(uint8_t percent, uint32_t hertz) {
 uint8_t PlcPersistReady(void) { return eeprom_is_ready() != 0; }
 
 int16_t PlcPersistRead(uint8_t number) {
-  return (int16_t)eeprom_read_word((const uint16_t *)(uintptr_t)(2u * number));
+  return (int16_t)eeprom_read_word((const uint16_t*)(uintptr_t)(2u * number));
 }
 
 void PlcPersistWrite(uint8_t number, int16_t value) {
-  eeprom_update_word((uint16_t *)(uintptr_t)(2u * number), (uint16_t)value);
+  eeprom_update_word((uint16_t*)(uintptr_t)(2u * number), (uint16_t)value);
 }
 
 int main(void) {
@@ -103,6 +101,6 @@ int main(void) {
     sei();
     PORTC |= 1 << 5;
     board_scan();
-    PORTC &= (uint8_t)~(1 << 5);
+    PORTC &= (uint8_t) ~(1 << 5);
   }
 }

@@ -99,6 +99,11 @@ std::string difference(const Case& one, const Behaviour& expected, const Behavio
                                       fmt::join(expected.sent[scan], " "), engine,
                                       fmt::join(got.sent[scan], " "));
     }
+    if (!expected.errors.empty() && !got.errors.empty() &&
+        expected.errors[scan] != got.errors[scan]) {
+      return here(scan) + fmt::format("division by zero: {} in the reference and {} in {}\n",
+                                      bool{expected.errors[scan]}, bool{got.errors[scan]}, engine);
+    }
   }
   return {};
 }

@@ -28,6 +28,7 @@ struct Case {
 struct Behaviour {
   std::vector<std::vector<std::int16_t>> states;  // the values of all devices after it
   std::vector<std::vector<int>> sent;             // bytes, in it
+  std::vector<bool> errors;  // whether it divided by zero; empty of an engine that is not asked
 };
 
 // Program number `seed`, of the families in `only` (all if empty).

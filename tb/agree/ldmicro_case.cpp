@@ -114,6 +114,7 @@ Behaviour run_ldmicro_reference(const Case& one, LdmicroCoverage* coverage) {
     std::vector<std::int16_t>& state = behaviour.states.emplace_back();
     for (const Device device : one.devices) state.push_back(reference.get(device));
     behaviour.sent.push_back(reference.sent());
+    behaviour.errors.push_back(reference.error());
   }
   return behaviour;
 }

@@ -36,6 +36,7 @@ Behaviour run_as_bytecode(const Case& one) {
       state.push_back(left_out ? given[device] : engine.value(device));
     }
     behaviour.sent.push_back(engine.sent());
+    behaviour.errors.push_back(engine.error());
   }
   return behaviour;
 }

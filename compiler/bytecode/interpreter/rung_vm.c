@@ -216,7 +216,7 @@ static const uint8_t* run_word(rung_vm* vm, uint8_t opcode, const uint8_t* at) {
   if (opcode == CODE_TB) {
     a = WORD();
     b = rung_read8(at++);
-    BIT() = (uint8_t)(a >> b & 1U);
+    BIT() = (uint8_t)((unsigned)a >> b & 1U);
     return at;
   }
   if ((opcode >= CODE_ADD32 && opcode <= CODE_DIV32) || opcode >= CODE_LT32) {

@@ -65,6 +65,20 @@ TEST_P(RandomMelsec, ProcessorsAgree) {
   EXPECT_LT(processors_.refused() * 20, processors_.runs());
 }
 
+// Indexed pairs that overlap: which one is written last depends on the indexes.
+TEST(OverlappingPairs, AreExchangedAsTheReferenceDoes) {
+  Processors processors(20);
+  for (const char* text : {"LDI D0.B\nDXCH D0Z0 D3Z1\nEND\n", "LD X0\nDXCH D2 D1Z0\nEND\n",
+                           "LD X0\nDXCH D4Z1 D5\nXCH D1Z0 D1\nEND\n"}) {
+    for (std::uint64_t seed = 0; seed < 40; ++seed) {
+      std::string messages;
+      const std::optional<Case> one = make_case(seed, text, messages);
+      ASSERT_TRUE(one) << messages;
+      ASSERT_EQ(processors.run(*one), "") << text;
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Halves, RandomMelsec, testing::Values(0, 1));
 
 }  // namespace

@@ -87,7 +87,7 @@ class Checks {
     warn(instruction,
          fmt::format("{}: nothing in the program gives {} a value, so that it is always 0",
                      shown(instruction.text), device_name(device, program_)),
-         is_word(device) ? "assign to it, or write the number itself"
+         is_word(device) ? "assign to it, with MOVE for instance"
                          : "give it a coil, or another name if it is an input (X)");
   }
 

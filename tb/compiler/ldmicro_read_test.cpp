@@ -220,9 +220,9 @@ const Warned kWarned[] = {
      "t.ld:5:1: warning: CONTACTS Rb 0: nothing in the program gives Rb a value, so that it is "
      "always 0\n    give it a coil, or another name if it is an input (X)\n"
      "t.ld:7:1: warning: ADD d a b: nothing in the program gives a a value, so that it is always "
-     "0\n    assign to it, or write the number itself\n"
+     "0\n    assign to it, with MOVE for instance\n"
      "t.ld:7:1: warning: ADD d a b: nothing in the program gives b a value, so that it is always "
-     "0\n    assign to it, or write the number itself\n"},
+     "0\n    assign to it, with MOVE for instance\n"},
     {"TimerTwice", ld_file("TON T 50000\nTOF T 50000\nCTU C 1\nCTD C 1"),
      "t.ld:5:1: warning: TOF T 50000: T counts in line 4 already, and the two disturb each other\n"
      "    give each timer a variable of its own\n"},

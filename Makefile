@@ -39,6 +39,9 @@ help: ## this list
 # $(1) directory, $(2) options of configuring, $(3) of building
 define cmake_build
 	@mkdir -p build/logs
+	@# Old rules would run Verilator on a changed list of files before they renew themselves.
+	@if find compiler tb -name CMakeLists.txt -newer $(1)/build.ninja 2>/dev/null | grep -q .; then \
+	  rm $(1)/build.ninja; fi
 	@test -f $(1)/build.ninja || { echo "configuring $(1)"; \
 	  $(CMAKE) -G Ninja -S compiler -B $(1) $(2) >build/logs/$(notdir $(1))-configure.log 2>&1 || \
 	  { tail -n 30 build/logs/$(notdir $(1))-configure.log; exit 1; }; }

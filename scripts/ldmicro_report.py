@@ -39,7 +39,7 @@ def as_traced(program: Path) -> str:
         if check.returncode != 0:
             said = (check.stdout + check.stderr).strip().splitlines()
             return f"differs on MPU{mpu}: {said[0] if said else 'no message'}"
-        if "simulator stopped" in check.stderr:
+        if "stopped here (a division by zero)" in check.stderr:
             verdict = "as traced, up to a division by zero"
     return verdict
 

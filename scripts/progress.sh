@@ -11,7 +11,7 @@ while IFS= read -r line; do
       printf '\r\033[K%.100s' "$line"
       pending=yes
     elif ((BASH_REMATCH[1] % 20 == 0 || BASH_REMATCH[1] == BASH_REMATCH[2])); then
-      printf '%s\n' "$line"
+      printf '%.160s\n' "$line"
     fi
   else
     [ -n "$pending" ] && printf '\n'

@@ -111,7 +111,7 @@ steps: build ## the paper's tables reproduced: reports/steps.md
 	@echo 'wrote reports/steps.md'
 
 .PHONY: programs
-programs: build ## which real lists run, which are refused: reports/programs.md
+programs: build ## real lists and LDmicro programs: which run, what each instruction costs: reports/programs.md
 	@$(PYTHON) scripts/programs_report.py
 
 .PHONY: report

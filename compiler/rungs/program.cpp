@@ -3,9 +3,7 @@
 
 #include <set>
 
-#include "rungs/devices.hpp"
 #include "rungs/footprint.hpp"
-#include "rungs/ports.hpp"
 
 namespace rung {
 
@@ -45,21 +43,6 @@ ProgramCounts count(const Program& program) {
 std::string device_name(Device device, const Program& program) {
   const auto name = program.names.find(device);
   return name == program.names.end() ? device_name(device, program.dialect) : name->second;
-}
-
-std::optional<Device> find_device(std::string_view name, const Program& program) {
-  if (program.dialect != Dialect::Ldmicro) return parse_device_name(name, program.dialect);
-  for (const auto& [device, given] : program.names) {
-    if (given == name && !is_port(device.kind)) return device;
-  }
-  return std::nullopt;
-}
-
-std::optional<Device> find_channel(std::string_view name, const Program& program) {
-  for (const auto& [device, given] : program.names) {
-    if (given == name && is_port(device.kind)) return device;
-  }
-  return std::nullopt;
 }
 
 std::vector<Device> named_devices(const Program& program) {

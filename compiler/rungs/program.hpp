@@ -213,13 +213,8 @@ struct Program {
   std::optional<LdmicroSettings> ldmicro;
 };
 
-// The name of a device of this program in its traces.
+// The name of a device of this program in its traces; names.hpp has the way back.
 std::string device_name(Device device, const Program& program);
-// The device that a trace of this program means by a name; of a list also one that it does not use.
-// A name that is both is the variable's, not its analogue channel's: find_channel().
-std::optional<Device> find_device(std::string_view name, const Program& program);
-// The analogue channel that is read into the variable of this name.
-std::optional<Device> find_channel(std::string_view name, const Program& program);
 
 // Contacts (INTERFACES.md): LD LDI AND ANI OR ORI, their P and F forms, compare contacts.
 inline bool is_contact(Op op) { return op >= Op::Ld && op <= Op::OrCompare; }

@@ -10,6 +10,7 @@
 #include "bytecode/vm_engine.hpp"
 #include "ldmicro/ldmicro.hpp"
 #include "melsec/melsec.hpp"
+#include "rungs/names.hpp"
 #include "source/text_file.hpp"
 #include "trace/trace.hpp"
 
@@ -45,6 +46,7 @@ void run(const fs::path& golden_path) {
   const auto stimulus = stimulus_of(*golden, *program, golden_path.string(), diagnostics);
   ASSERT_TRUE(stimulus);
 
+  const DeviceNames names(*program);
   VmEngine engine(*program, golden->header.tick_us);
   std::map<std::string, std::int32_t> outputs;
   for (std::size_t k = 0; k < golden->scans.size(); ++k) {
@@ -53,11 +55,11 @@ void run(const fs::path& golden_path) {
     const TraceScan& scan = golden->scans[k];
     for (const TraceValue& value : scan.out) outputs[value.device] = value.value;
     for (const auto& [name, value] : outputs) {
-      ASSERT_EQ(engine.value(*find_device(name, *program)), value) << "scan " << k << ": " << name;
+      ASSERT_EQ(engine.value(*names.device(name)), value) << "scan " << k << ": " << name;
     }
     if (!scan.state) continue;
     for (const TraceValue& value : *scan.state) {
-      ASSERT_EQ(engine.value(*find_device(value.device, *program)), value.value)
+      ASSERT_EQ(engine.value(*names.device(value.device)), value.value)
           << "scan " << k << ": " << value.device;
     }
   }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "ldmicro_support.hpp"
+#include "rungs/names.hpp"
 #include "rungs/ports.hpp"
 
 namespace rung {
@@ -128,8 +129,8 @@ TEST(LdmicroFile, Names) {
   EXPECT_EQ(device_name(port::at(port::adc, 0), program), "Alevel");
   EXPECT_EQ(device_name(port::at(port::adc, 1), program), "both:w");
   EXPECT_EQ(program.names.size(), 7U);
-  EXPECT_EQ(find_device("Alevel", program), (Device{DeviceKind::D, 2}));
-  EXPECT_EQ(find_channel("Alevel", program), port::at(port::adc, 0));
+  EXPECT_EQ(DeviceNames(program).device("Alevel"), (Device{DeviceKind::D, 2}));
+  EXPECT_EQ(DeviceNames(program).channel("Alevel"), port::at(port::adc, 0));
 }
 
 // What LDmicro 2.3 refuses for blanks alone, and what LDmicro 5 writes around rungs.

@@ -12,6 +12,7 @@
 #include "ldmicro/ldmicro.hpp"
 #include "programs/ldmicro_stimulus.hpp"
 #include "programs/shrink.hpp"
+#include "rungs/names.hpp"
 #include "rungs/ports.hpp"
 
 namespace rung {
@@ -154,7 +155,7 @@ TEST(LdmicroStimulus, SetsWhatTheProgramHas) {
   EXPECT_GT(events[(Device{DeviceKind::X, 0})], 50);
   EXPECT_GT(events[port::adc], 50);
   EXPECT_GT(events[port::uart_rx_data], 50);
-  EXPECT_GT(events[*find_device("v", program)], 10);
+  EXPECT_GT(events[*DeviceNames(program).device("v")], 10);
 }
 
 TEST(ShrinkLdmicro, TakesOutRungsElementsAndBranches) {

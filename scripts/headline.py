@@ -57,8 +57,8 @@ def table() -> str:
         "ns an instruction | logic cells | HX8K MHz |",
         "|---|--:|--:|--:|--:|--:|--:|--:|", *rows, "",
         f"ECP5-85F grade 6, {area['tools']['yosys']}, nextpnr {area['tools']['nextpnr-ecp5']}, "
-        f"median of seeds {seeds(area)} (the soft cores {seeds(yard)}), {area['date']}; "
-        "the rest is in [reports/area-timing.md](reports/area-timing.md). A server core "
+        f"median of seeds {seeds(area)} (the soft cores {seeds(yard)}), {area['date']}. "
+        "Logic cells of the processors include serial link, UART and PWM around them; the rest is in [reports/area-timing.md](reports/area-timing.md). A server core "
         f"({yard['host']['cpu']}, gcc -O2) takes {host['median_ns'] / 1000:.2f} us a scan, and the "
         f"worst of {host['scans']} scans took {host['worst_ns'] / 1000:.0f} us: faster on average, and "
         "without a bound.", ""])

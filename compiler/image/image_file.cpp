@@ -122,7 +122,20 @@ void check(const Image& image, const isa::Config& config) {
   require(image.first_hidden_word >= 0 && s.word_devices <= config.word_devices, "word devices");
 }
 
+// All numbers are whole: a fraction may be beyond what an integer holds.
+void require_whole_numbers(const json& in) {
+  std::vector<const json*> open{&in};
+  while (!open.empty()) {
+    const json& now = *open.back();
+    open.pop_back();
+    require(!now.is_number_float(), "number");
+    if (!now.is_structured()) continue;
+    for (const json& each : now) open.push_back(&each);
+  }
+}
+
 Image from_json(const json& in) {
+  require_whole_numbers(in);
   Image image;
   image.program = in.at("program").get<std::string>();
   image.dialect = in.at("dialect").get<std::string>();

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <charconv>
 #include <map>
-#include <stdexcept>
 #include <utility>
 
 #include "source/text_file.hpp"
@@ -15,9 +14,11 @@
 namespace rung {
 namespace {
 
-// What is wrong with one line; becomes a diagnostic at that line.
-struct BadLine : std::runtime_error {
-  using std::runtime_error::runtime_error;
+// What is wrong with one line; becomes a diagnostic at that line. Not the text of an exception,
+// which would end where a line has a byte 0.
+struct BadLine {
+  explicit BadLine(std::string text) : what(std::move(text)) {}
+  std::string what;
 };
 
 constexpr std::string_view kBlanks = " \t\r";
@@ -128,7 +129,7 @@ std::optional<LdmicroTrace> read_ldmicro_trace(std::string_view bytes, const std
     try {
       reader.line(bytes.substr(0, end), number);
     } catch (const BadLine& failure) {
-      diagnostics.error(file, {number, 1}, failure.what());
+      diagnostics.error(file, {number, 1}, failure.what);
       return std::nullopt;
     }
     bytes.remove_prefix(std::min(end + 1, bytes.size()));

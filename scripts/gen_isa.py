@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Write everything that is derived from hdl/isa/*.toml.
 
-usage: gen_isa.py OUT_DIR            Verilog header, C++ tables, CMake parameters into OUT_DIR
+usage: gen_isa.py OUT_DIR            Verilog headers, C and C++ tables, CMake parameters into OUT_DIR
        gen_isa.py --page FILE        the reference page
        gen_isa.py --check-page FILE  exit 1 if that page is not what --page would write
 """
@@ -10,6 +10,8 @@ import os
 import sys
 import tomllib
 from pathlib import Path
+
+import gen_controller
 
 ISA_DIR = Path(__file__).resolve().parent.parent / "hdl" / "isa"
 PROCESSORS = ("mpu1", "mpu2", "mpu3")
@@ -139,11 +141,20 @@ def cpp_ports(ports):
     return "\n".join(out) + "\n"
 
 
+def models(configs):
+    """Configuration -> the first one whose processors have the same parameters."""
+    first = {}
+    return {name: first.setdefault(repr([parameters(config, mpu) for mpu in PROCESSORS]), name)
+            for name, config in configs["config"].items()}
+
+
 def cmake(configs):
-    out = [f"# {NOTICE}", f"set(RUNG_CONFIGS {' '.join(configs['config'])})"]
-    for name, config in configs["config"].items():
+    model = models(configs)
+    out = [f"# {NOTICE}", "# Configurations whose processors differ from those of the ones before",
+           f"set(RUNG_CONFIGS {' '.join(dict.fromkeys(model.values()))})"]
+    for name in dict.fromkeys(model.values()):
         for mpu in PROCESSORS:
-            flags = " ".join(f"-G{k}={v}" for k, v in parameters(config, mpu).items())
+            flags = " ".join(f"-G{k}={v}" for k, v in parameters(configs["config"][name], mpu).items())
             out.append(f"set(RUNG_{name}_{mpu}_PARAMETERS {flags})")
     return "\n".join(out) + "\n"
 
@@ -191,7 +202,9 @@ def page(isa, configs, ports):
             "## Configurations", "",
             "| | " + " | ".join(configs["config"]) + " |",
             "|---|" + "---|" * len(configs["config"])]
-    for key in next(iter(configs["config"].values())):
+    for key, value in next(iter(configs["config"].values())).items():
+        if isinstance(value, dict):
+            continue
         out.append(f"| {key} | " + " | ".join(str(c[key]) for c in configs["config"].values()) + " |")
     for mpu in PROCESSORS:
         out.append(f"| bits of a slot's instruction, {mpu.upper()} | " + " | ".join(
@@ -239,6 +252,10 @@ def main(argv):
         write(out / "isa_table.inc", cpp(isa, configs))
         write(out / "ports.inc", cpp_ports(ports))
         write(out / "configs.cmake", cmake(configs))
+        tables = gen_controller.load(ISA_DIR, configs)
+        write(out / "rung_controller.vh", gen_controller.verilog(tables, NOTICE))
+        write(out / "rung_controller.h", gen_controller.c_header(tables, NOTICE))
+        write(out / "rung_controller.hpp", gen_controller.cpp(tables, NOTICE))
     else:
         print(__doc__, file=sys.stderr)
         return 2

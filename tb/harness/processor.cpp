@@ -30,7 +30,10 @@ std::unique_ptr<Processor> make(isa::Mpu mpu, const isa::Config& config) {
 
 std::unique_ptr<Processor> make_processor(isa::Mpu mpu, const isa::Config& config) {
   if (config.name == "ecp5") return make<Vecp5_mpu1, Vecp5_mpu2, Vecp5_mpu3>(mpu, config);
-  if (config.name == "hx8k") return make<Vhx8k_mpu1, Vhx8k_mpu2, Vhx8k_mpu3>(mpu, config);
+  // gw2a has the sizes of the HX8K (hdl/isa/configs.toml).
+  if (config.name == "hx8k" || config.name == "gw2a") {
+    return make<Vhx8k_mpu1, Vhx8k_mpu2, Vhx8k_mpu3>(mpu, config);
+  }
   throw std::invalid_argument(fmt::format("no Verilated model of configuration {}", config.name));
 }
 

@@ -34,7 +34,13 @@ class BitLine {
   std::size_t sending() const { return to_send_.size() + (shifting_ ? 1 : 0); }
   std::vector<std::uint8_t> take() { return std::exchange(received_, {}); }
   std::uint64_t bad_bytes() const { return bad_bytes_; }
-  void clear() { *this = BitLine(*this, 0); }
+  // Idle, both ways, at the rate that it has.
+  void clear() {
+    BitLine idle;
+    idle.bit_ = bit_;
+    idle.parity_ = parity_;
+    *this = std::move(idle);
+  }
 
   // The level for the controller's receiver in this clock.
   bool level(std::uint64_t now) {
@@ -52,8 +58,6 @@ class BitLine {
   static constexpr std::uint64_t kBit = 8ULL << (2 * kFraction);
   static constexpr std::uint64_t kCharacter = 11;
   static constexpr std::uint64_t kNever = ~0ULL;
-
-  BitLine(const BitLine& other, int) : bit_(other.bit_), parity_(other.parity_) {}
 
   bool parity_bit(std::uint8_t byte) const {
     return (__builtin_popcount(byte) % 2 != 0) != (parity_ == Parity::Odd);
@@ -84,7 +88,8 @@ class BitLine {
 
   void decode(std::uint64_t now, bool level) {
     if (!receiving_) {
-      if (level) return;
+      if (level) stuck_ = false;
+      if (level || stuck_) return;
       receiving_ = true;
       heard_start_ = now;
       heard_index_ = 0;
@@ -111,6 +116,7 @@ class BitLine {
       received_.push_back(byte);
     } else {
       ++bad_bytes_;
+      stuck_ = true;  // until the line is 1 again
     }
   }
 
@@ -125,7 +131,7 @@ class BitLine {
   std::uint16_t bits_ = 0;
   unsigned bit_index_ = 0;
   std::uint64_t start_ = 0, next_edge_ = 0;
-  bool receiving_ = false;
+  bool receiving_ = false, stuck_ = false;
   std::uint16_t heard_ = 0;
   unsigned heard_index_ = 0;
   std::uint64_t heard_start_ = 0, next_sample_ = 0;

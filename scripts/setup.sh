@@ -26,6 +26,7 @@ venv=$build/venv
 
 build_packages=(g++ tcc cmake ninja-build ccache verilator python3 zlib1g-dev
                 libgtest-dev libcli11-dev libfmt-dev nlohmann-json3-dev libutfcpp-dev
+                libtomlplusplus-dev libmodbus-dev
                 gcc-avr avr-libc libsimavr-dev)
 venv_packages=(python3 python3-venv ca-certificates)
 

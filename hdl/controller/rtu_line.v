@@ -4,7 +4,9 @@
 //
 // Receiving: a frame ends when no byte has come for the silence of the registers (24 bits are used). Shorter
 // pauses are nothing: the standard would drop a frame with one of more than 1.5 characters in it, but clients
-// behind USB adapters make them. A frame of 4 to 256 bytes, all good, with a right CRC waits in rx_frame until
+// behind USB adapters make them. Silence is counted from the middle of a stop bit to that of a start bit; with
+// 3.5 characters less a bit, 37.5 bits, frames 3.5 characters apart are told apart even if their sender is
+// 2 % too fast. A frame of 4 to 256 bytes, all good, with a right CRC waits in rx_frame until
 // line_take; any other is counted and dropped. Frames that begin while one waits, or between line_send and
 // the end of what is sent, are dropped and counted as lost, but not what comes while de_o of the UART
 // (tx_busy_i) is 1, nor a byte that began then: on RS-485 that is our own.
@@ -63,10 +65,11 @@ module rtu_line #(
   localparam [7:0] BAD_BYTE = `RUNG_REG_LINE_BAD_BYTE;
   localparam [7:0] LOST = `RUNG_REG_LINE_LOST;
 
-  localparam [31:0] HZ = CLOCK_HZ;
-  localparam [63:0] CLOCK = {32'd0, HZ[31:0]};
+  // verilator lint_off WIDTH
+  localparam [63:0] CLOCK = CLOCK_HZ;
+  // verilator lint_on WIDTH
   localparam [63:0] STEP_19200 = (64'd8 * 64'd1048576 * 64'd19200 + CLOCK / 64'd2) / CLOCK;
-  localparam [63:0] SILENCE_19200 = CLOCK * 64'd77 / 64'd38400;  // 3.5 characters of 11 bits
+  localparam [63:0] SILENCE_19200 = CLOCK * 64'd75 / 64'd38400;  // 37.5 bits
   localparam [1:0] EVEN = 2'd2;
 
   localparam [8:0] SHORTEST = 9'd4;

@@ -19,5 +19,6 @@ void define_clock(CLI::App& command, Options& options);
 void define_export(CLI::App& app, Options& options);
 // load, info, monitor, force, control
 void define_client_commands(CLI::App& app, Options& options);
+void define_device(CLI::App& app, Options& options);
 
 }  // namespace rung::cli

@@ -15,17 +15,20 @@ void define_device(CLI::App& app, Options& options) {
   command->add_option("--flash", options.flash,
                       "the flash's contents: read if the file is there, written at the end");
   command->add_option("--link", options.link, "a symbolic link to the pseudo-terminal");
-  command->add_option("--tcp", options.tcp_port,
-                      "Modbus TCP gateway on this port of 127.0.0.1; 0 for any free one")
+  command
+      ->add_option("--tcp", options.tcp_port,
+                   "Modbus TCP gateway on this port of 127.0.0.1; 0 for any free one")
       ->check(CLI::Range(0, 65535));
-  command->add_option("--clocks-per-ms", options.clocks_per_ms,
-                      "clocks of a simulated millisecond; serial timing scales with it")
+  command
+      ->add_option("--clocks-per-ms", options.clocks_per_ms,
+                   "clocks of a simulated millisecond; serial timing scales with it")
       ->check(CLI::Range(std::uint64_t{200}, std::uint64_t{25'000}))
       ->capture_default_str();
   command->add_flag("--fast", options.fast,
                     "as fast as it goes, not in real time; the line waits for it");
-  command->add_option("--baud", options.baud,
-                      "of the client's line; if not given it follows the controller's setting")
+  command
+      ->add_option("--baud", options.baud,
+                   "of the client's line; if not given it follows the controller's setting")
       ->check(CLI::Range(300, 921'600));
   command->add_option("--parity", options.parity, "with --baud; even if not given")
       ->check(CLI::IsMember({"none", "odd", "even"}));
@@ -33,7 +36,8 @@ void define_device(CLI::App& app, Options& options) {
       ->delimiter(',');
   command->add_flag("--watch", options.watch, "print each change of an output, with its time");
   command->footer(
-      "Standard input takes commands: in3=1, adc0=512, power off, power on, switch stop, switch run,\n"
+      "Standard input takes commands: in3=1, adc0=512, power off, power on, switch stop, switch "
+      "run,\n"
       "show, help, quit. SIGINT and SIGTERM end it; the flash is then in --flash.");
 }
 

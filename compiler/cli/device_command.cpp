@@ -41,8 +41,9 @@ std::string_view choose_board(const Options& options, const std::optional<io::Ma
                                  : map                  ? of_map
                                                         : "simulated";
   if (board != "simulated" && board != "hx8k") {
-    throw UsageError(fmt::format(
-        "{}: board {} is not simulated; 'simulated' has its processor and sizes", options.io, board));
+    throw UsageError(
+        fmt::format("{}: board {} is not simulated; 'simulated' has its processor and sizes",
+                    options.io, board));
   }
   return io::find_board(board)->name;
 }
@@ -53,7 +54,7 @@ std::optional<std::vector<std::uint16_t>> load_words(Options options,
                                                      const controller::Board& board,
                                                      Diagnostics& diagnostics) {
   options.config = board.config;
-  options.mpu = std::to_string(board.mpu);
+  options.default_mpu = board.mpu;
   options.clock_hz = static_cast<std::int64_t>(1000 * options.clocks_per_ms);
   auto input = read_input(options, true, std::nullopt, diagnostics);
   if (!input) return std::nullopt;
@@ -76,9 +77,9 @@ std::optional<std::vector<std::uint16_t>> load_words(Options options,
 void read_flash(const Options& options, tb::FlashModel& flash) {
   if (options.flash.empty() || !std::filesystem::exists(options.flash)) return;
   if (!flash.load(options.flash)) {
-    throw std::runtime_error(fmt::format(
-        "--flash {}: cannot be read, or is longer than the board's flash ({} bytes)", options.flash,
-        flash.memory().size()));
+    throw std::runtime_error(
+        fmt::format("--flash {}: cannot be read, or is longer than the board's flash ({} bytes)",
+                    options.flash, flash.memory().size()));
   }
 }
 
@@ -94,8 +95,8 @@ void keep_flash(const Options& options, const tb::FlashModel& flash) {
   }
   if (!kept) {
     std::filesystem::remove(part, error);
-    throw std::runtime_error(fmt::format("--flash {}: cannot be written; what was there is as it was",
-                                         options.flash));
+    throw std::runtime_error(
+        fmt::format("--flash {}: cannot be written; what was there is as it was", options.flash));
   }
 }
 
@@ -131,6 +132,10 @@ int device_command(const Options& given) {
   const auto map = read_io(options, diagnostics);
   if (!options.io.empty() && !map) return report(diagnostics);
   const controller::Board& board = *io::find_board(choose_board(options, map));
+  if (!given.config.empty() && given.config != board.config) {
+    throw UsageError(
+        fmt::format("--config {}: board {} has {}", given.config, board.name, board.config));
+  }
 
   tb::ControllerSetup setup;
   setup.board = board.name;

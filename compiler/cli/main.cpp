@@ -33,6 +33,8 @@ int execute(const rung::cli::Options& options) {
       return force_command(options);
     case Command::Control:
       return control_command(options);
+    case Command::Device:
+      return device_command(options);
   }
   return kUsage;
 }

@@ -19,7 +19,7 @@ inline constexpr int kRefused = 1;    // the program or a file
 inline constexpr int kUsage = 2;      // wrong usage
 inline constexpr int kDifferent = 3;  // a run differed from its golden trace or its reference
 
-enum class Command { Compile, Run, Check, Translate, Export, Load, Info, Monitor, Force, Control };
+enum class Command { Compile, Run, Check, Translate, Export, Load, Info, Monitor, Force, Control, Device };
 
 struct Options {
   Command command = Command::Compile;
@@ -64,6 +64,15 @@ struct Options {
   bool list = false;
   bool release_all = false;
   std::string action;
+  // device
+  std::string board;
+  std::string flash;
+  std::string link;
+  std::optional<int> tcp_port;
+  std::uint64_t clocks_per_ms = 250;
+  bool fast = false;
+  std::vector<std::string> inputs;
+  bool watch = false;
 };
 
 // A wrong usage that CLI11 cannot see.
@@ -94,5 +103,6 @@ int info_command(const Options& options);
 int monitor_command(const Options& options);
 int force_command(const Options& options);
 int control_command(const Options& options);
+int device_command(const Options& options);
 
 }  // namespace rung::cli

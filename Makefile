@@ -63,7 +63,7 @@ sim: build ## run a program on the three processors, checked against its golden 
 
 .PHONY: test
 test: ## all tests, built with sanitizers
-	@scripts/setup.sh build
+	@scripts/setup.sh test
 	$(call cmake_build,build/test,-DCMAKE_BUILD_TYPE=RelWithDebInfo -DRUNG_SANITIZE=ON)
 	@$(CTEST) --test-dir build/test -j $(JOBS) --output-on-failure --no-tests=error \
 	  --output-log build/logs/test.log
@@ -123,5 +123,6 @@ report: ## all reports, in order: steps, programs, area and clock, bench
 	@$(MAKE) --no-print-directory bench
 
 .PHONY: clean
-clean: ## remove everything built but the Python environment, build/venv
-	@if [ -d build ]; then find build -mindepth 1 -maxdepth 1 ! -name venv -exec rm -rf {} +; fi
+clean: ## remove everything built but the Python environments, build/venv and build/clients
+	@if [ -d build ]; then \
+	  find build -mindepth 1 -maxdepth 1 ! -name venv ! -name clients -exec rm -rf {} +; fi

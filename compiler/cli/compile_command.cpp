@@ -3,14 +3,30 @@
 
 #include <nlohmann/json.hpp>
 
-#include "cli/input.hpp"
+#include "cli/bound.hpp"
 #include "image/image_file.hpp"
+#include "load/load_file.hpp"
+#include "rung_controller.hpp"
 #include "source/text_file.hpp"
 
 namespace rung::cli {
 namespace {
 
-std::string to_json(const Compiled& compiled) {
+nlohmann::ordered_json to_json(const Bound& bound) {
+  const load::Timing& t = bound.timing;
+  return {{"board", bound.bindings.board->name},
+          {"clock_hz", t.clock_hz},
+          {"latch_clocks", t.latch},
+          {"scan_clocks", t.scan},
+          {"refresh_clocks", t.refresh},
+          {"exchange_clocks", t.exchange},
+          {"cycle_clocks", t.cycle},
+          {"period_clocks", t.period},
+          {"edge_to_edge_least_clocks", t.best},
+          {"edge_to_edge_most_clocks", t.worst}};
+}
+
+std::string to_json(const Compiled& compiled, const std::optional<Bound>& bound) {
   const image::Image& image = compiled.image;
   const image::Statistics& s = image.statistics;
   nlohmann::ordered_json out;
@@ -40,7 +56,16 @@ std::string to_json(const Compiled& compiled) {
                        {"lower_bound", r.lower_bound},
                        {"above_lower_bound", r.steps - r.lower_bound}};
   }
+  if (bound) out["controller"] = to_json(*bound);
   return out.dump() + "\n";
+}
+
+// What is made with the I/O map: false, with errors, if it is refused.
+bool write_load_file(const Compiled& compiled, const Bound& bound, const Options& options,
+                     Diagnostics& diagnostics) {
+  const auto words = load::make(compiled.image, bound.bindings, bound.timing.clock_hz, diagnostics);
+  return words && (options.load_file.empty() ||
+                   write_file(options.load_file, load::to_bytes(*words), diagnostics));
 }
 
 std::string summary(const Compiled& compiled) {
@@ -56,10 +81,12 @@ std::string summary(const Compiled& compiled) {
 
 }  // namespace
 
-int compile_command(const Options& options) {
+int compile_command(const Options& given) {
+  Options options = given;
   Diagnostics diagnostics;
+  const auto map = read_io(options, diagnostics);
   const auto program = read_program(options, diagnostics);
-  if (!program) return report(diagnostics);
+  if (!program || (diagnostics.has_errors() && !map)) return report(diagnostics);
   if (!options.dump.empty()) {
     CompileOptions how;
     how.paper = options.paper;
@@ -69,16 +96,25 @@ int compile_command(const Options& options) {
   }
   const auto compiled = compile_input(*program, options, diagnostics);
   if (!compiled) return report(diagnostics);
+  std::optional<Bound> bound;
+  if (map || options.bindings || !options.load_file.empty()) {
+    bound = bind_image(compiled->image, map, options, diagnostics);
+    if (diagnostics.has_errors() || !write_load_file(*compiled, *bound, options, diagnostics)) {
+      return report(diagnostics);
+    }
+  }
   if (!options.output.empty() &&
       !write_file(options.output, image::to_bytes(compiled->image), diagnostics)) {
     return report(diagnostics);
   }
   if (options.json) {
-    fmt::print("{}", to_json(*compiled));
+    fmt::print("{}", to_json(*compiled, bound));
   } else if (options.listing) {
     fmt::print("{}", image::listing(compiled->image));
-  } else if (options.output != "-") {
-    fmt::print("{}", summary(*compiled));
+  } else if (options.bindings) {
+    fmt::print("{}", io::table(bound->bindings, bound->subject));
+  } else if (options.output != "-" && options.load_file != "-") {
+    fmt::print("{}{}", summary(*compiled), map ? load::to_string(bound->timing) : "");
   }
   return report(diagnostics);
 }

@@ -109,7 +109,7 @@ std::optional<Program> read_program(const Options& options, Diagnostics& diagnos
 std::optional<Compiled> compile_input(const Program& program, const Options& options,
                                       Diagnostics& diagnostics) {
   CompileOptions how;
-  how.mpu = static_cast<isa::Mpu>(mpu_of(options).value_or(3));
+  how.mpu = static_cast<isa::Mpu>(mpu_of(options).value_or(options.default_mpu));
   how.paper = options.paper;
   how.config = &config_of(options);
   how.search.seed = options.seed;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// rung: compile, run, check and translate ladder programs.
+// rung: compile, run, check and translate ladder programs, and talk to the controllers that run
+// them.
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -20,6 +21,20 @@ int execute(const rung::cli::Options& options) {
       return check_command(options);
     case Command::Translate:
       return translate_command(options);
+    case Command::Export:
+      return export_command(options);
+    case Command::Load:
+      return load_command(options);
+    case Command::Info:
+      return info_command(options);
+    case Command::Monitor:
+      return monitor_command(options);
+    case Command::Force:
+      return force_command(options);
+    case Command::Control:
+      return control_command(options);
+    case Command::Device:
+      return device_command(options);
   }
   return kUsage;
 }
@@ -35,7 +50,8 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "rung: {}\n", error.what());
     return rung::cli::kUsage;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "{}:1:1: error: {}\n", options.program, error.what());
+    fmt::print(stderr, "{}:1:1: error: {}\n",
+               options.program.empty() ? options.port : options.program, error.what());
     return rung::cli::kRefused;
   }
 }

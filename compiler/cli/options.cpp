@@ -1,43 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/options.hpp"
-
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <charconv>
 
+#include "cli/define.hpp"
+
 namespace rung::cli {
 namespace {
-
-std::vector<std::string> config_names() {
-  std::vector<std::string> names;
-  for (const isa::Config& config : isa::configs()) names.emplace_back(config.name);
-  return names;
-}
-
-void define_common(CLI::App& command, Options& options) {
-  command.add_option("--dialect", options.dialect, "of the program; else it decides itself")
-      ->check(CLI::IsMember({"paper", "fx", "q", "ldmicro"}));
-  command.add_option("--config", options.config, "memory sizes and latencies")
-      ->check(CLI::IsMember(config_names()))
-      ->capture_default_str();
-  command.add_option("--comments", options.comments,
-                     "device comments as CSV: names for traces, listings and messages");
-}
-
-void define_mpu(CLI::App& command, Options& options, bool with_reference) {
-  std::vector<std::string> names{"1", "2", "3"};
-  if (with_reference) names.emplace_back("reference");
-  command.add_option("--mpu", options.mpu, "processor; 3 if not given")
-      ->check(CLI::IsMember(names));
-}
-
-CLI::App* add_command(CLI::App& app, Options& options, Command which, const char* name,
-                      const char* what) {
-  CLI::App* command = app.add_subcommand(name, what);
-  command->callback([&options, which] { options.command = which; });
-  return command;
-}
 
 void define_compile(CLI::App& app, Options& options) {
   CLI::App* command =
@@ -59,6 +29,13 @@ void define_compile(CLI::App& app, Options& options) {
   listing->excludes(dump);
   command->add_option("--seed", options.seed, "of the search for a schedule")
       ->capture_default_str();
+  command->add_flag("--bindings", options.bindings, "print what is bound where")
+      ->excludes(json)
+      ->excludes(listing)
+      ->excludes(dump);
+  command->add_option("--load-file", options.load_file,
+                      "write what the controller's flash holds, for other loaders than rung load");
+  define_clock(*command, options);
 }
 
 void define_run(CLI::App& app, Options& options) {
@@ -124,7 +101,9 @@ std::optional<Dialect> dialect_of(const Options& options) {
   return find_dialect(options.dialect);
 }
 
-const isa::Config& config_of(const Options& options) { return *isa::find_config(options.config); }
+const isa::Config& config_of(const Options& options) {
+  return *isa::find_config(options.config.empty() ? "ecp5" : options.config);
+}
 
 std::optional<int> mpu_of(const Options& options) {
   if (options.mpu.empty()) return std::nullopt;
@@ -161,6 +140,9 @@ std::optional<int> parse(int argc, char** argv, Options& options) {
   define_run(app, options);
   define_check(app, options);
   define_translate(app, options);
+  define_export(app, options);
+  define_client_commands(app, options);
+  define_device(app, options);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "isa/isa.hpp"
 #include "rungs/program.hpp"
@@ -18,15 +19,17 @@ inline constexpr int kRefused = 1;    // the program or a file
 inline constexpr int kUsage = 2;      // wrong usage
 inline constexpr int kDifferent = 3;  // a run differed from its golden trace or its reference
 
-enum class Command { Compile, Run, Check, Translate };
+enum class Command { Compile, Run, Check, Translate, Export, Load, Info, Monitor, Force, Control, Device };
 
 struct Options {
   Command command = Command::Compile;
   std::string program;
-  std::string dialect;  // empty: the program decides
-  std::string config = "ecp5";
+  std::string dialect;   // empty: the program decides
+  std::string config;    // empty: the I/O map's board's, or ecp5
   std::string comments;  // a file with the names of devices
-  std::string mpu;       // empty: MPU3, or the image's
+  std::string io;        // a file: the I/O map
+  std::string mpu;       // empty: the image's, or default_mpu
+  int default_mpu = 3;   // what a program is compiled for if `mpu` does not say it
   bool paper = false;
   // compile
   std::string output;
@@ -34,6 +37,9 @@ struct Options {
   bool listing = false;
   std::string dump;
   std::uint64_t seed = 1;
+  bool bindings = false;
+  std::string load_file;
+  std::optional<std::int64_t> clock_hz;  // of the controller; else the configuration's
   // run, check
   std::string stimulus;
   std::optional<std::uint64_t> scans;
@@ -43,6 +49,30 @@ struct Options {
   std::string golden;
   // translate
   std::string target;
+  // export
+  std::string symbols;
+  // the commands that talk to a controller
+  std::string port;
+  std::optional<int> baud;
+  std::string parity;
+  std::optional<int> unit;
+  int timeout_ms = 1000;
+  std::vector<std::string> devices;
+  std::string csv;
+  int interval_ms = 500;
+  std::uint64_t count = 0;  // samples, 0: until stopped
+  bool list = false;
+  bool release_all = false;
+  std::string action;
+  // device
+  std::string board;
+  std::string flash;
+  std::string link;
+  std::optional<int> tcp_port;
+  std::uint64_t clocks_per_ms = 250;
+  bool fast = false;
+  std::vector<std::string> inputs;
+  bool watch = false;
 };
 
 // A wrong usage that CLI11 cannot see.
@@ -67,5 +97,12 @@ int compile_command(const Options& options);
 int run_command(const Options& options);
 int check_command(const Options& options);
 int translate_command(const Options& options);
+int export_command(const Options& options);
+int load_command(const Options& options);
+int info_command(const Options& options);
+int monitor_command(const Options& options);
+int force_command(const Options& options);
+int control_command(const Options& options);
+int device_command(const Options& options);
 
 }  // namespace rung::cli

@@ -3,7 +3,7 @@
 
 #include <iostream>
 
-#include "cli/input.hpp"
+#include "cli/bound.hpp"
 #include "lockstep/lockstep.hpp"
 #include "reference/run.hpp"
 #include "source/text_file.hpp"
@@ -44,7 +44,8 @@ void run_image(tb::Machine& machine, bool state, Session& session) {
 std::string replay_command(const Options& options, std::int64_t scan) {
   std::string command =
       fmt::format("rung run {} --mpu {} --config {} --scans {}", options.program,
-                  options.mpu.empty() ? "3" : options.mpu, options.config, scan + 1);
+                  options.mpu.empty() ? std::to_string(options.default_mpu) : options.mpu,
+                  config_of(options).name, scan + 1);
   if (!options.dialect.empty()) command += " --dialect " + options.dialect;
   if (options.paper) command += " --paper";
   if (!options.stimulus.empty()) command += " --stimulus " + options.stimulus;
@@ -88,14 +89,18 @@ bool read_session(const Options& options, const Input& input, Session& session,
 
 }  // namespace
 
-int run_command(const Options& options) {
+int run_command(const Options& given) {
+  Options options = given;
   const auto mpu = mpu_of(options);
   Diagnostics diagnostics;
+  const auto map = read_io(options, diagnostics);
   Session session;
   auto input = read_input(options, true, std::nullopt, diagnostics);
   if (!input || !read_session(options, *input, session, diagnostics)) {
     return report(diagnostics);
   }
+  check_io(*input, map, options, diagnostics);
+  if (diagnostics.has_errors()) return report(diagnostics);
 
   std::string what;
   if (input->image) {

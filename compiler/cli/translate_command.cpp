@@ -7,7 +7,7 @@
 #include "backends/list_writer.hpp"
 #include "bytecode/listing.hpp"
 #include "bytecode/writer.hpp"
-#include "cli/input.hpp"
+#include "cli/bound.hpp"
 #include "lower/lower.hpp"
 #include "source/text_file.hpp"
 
@@ -48,11 +48,16 @@ std::optional<std::string> translate(const Program& program, const Options& opti
 
 }  // namespace
 
-int translate_command(const Options& options) {
+int translate_command(const Options& given) {
+  Options options = given;
   check_usage(options);
   Diagnostics diagnostics;
-  const auto program = read_program(options, diagnostics);
-  if (!program) return report(diagnostics);
+  const auto map = read_io(options, diagnostics);
+  auto input = read_input(options, false, std::nullopt, diagnostics);
+  if (!input) return report(diagnostics);
+  check_io(*input, map, options, diagnostics);
+  if (diagnostics.has_errors()) return report(diagnostics);
+  const auto& program = input->program;
   const auto text = translate(*program, options, diagnostics);
   if (text) write_file(options.output.empty() ? "-" : options.output, *text, diagnostics);
   return report(diagnostics);

@@ -31,6 +31,31 @@ Addresses::Addresses(const Program& source, const core::Program& program,
   }
 }
 
+namespace {
+
+// What an LDmicro program asks of the controller around it.
+void set_peripherals(const Program& source, Image& image) {
+  const LdmicroSettings& settings = *source.ldmicro;
+  image.cycle_us = settings.cycle_us;
+  image.baud = settings.baud;
+  image.own_pins = std::any_of(settings.pins.begin(), settings.pins.end(),
+                               [](const LdmicroSettings::Pin& pin) { return pin.pin != 0; });
+  for (const Instruction& instruction : source.instructions) {
+    if (instruction.op == Op::UartSend || instruction.op == Op::UartRecv ||
+        instruction.op == Op::FormattedString) {
+      image.uart = true;
+    } else if (instruction.op == Op::SetPwm) {
+      image.pwm = true;
+    } else if (instruction.op == Op::Persist) {
+      const auto index = static_cast<std::size_t>(instruction.operand(1).value);
+      if (image.persist.size() <= index) image.persist.resize(index + 1);
+      image.persist[index] = device_name(instruction.operand(0).device, source);
+    }
+  }
+}
+
+}  // namespace
+
 Image start_image(const Program& source, const core::Program& program, const Addresses& addresses,
                   const isa::Config& config, isa::Mpu mpu) {
   Image image;
@@ -67,10 +92,7 @@ Image start_image(const Program& source, const core::Program& program, const Add
   image.statistics.word_devices = addresses.words() + addresses.port_words();
   image.port_bits = addresses.port_bits();
   image.port_words = addresses.port_words();
-  if (source.ldmicro) {
-    image.cycle_us = source.ldmicro->cycle_us;
-    image.baud = source.ldmicro->baud;
-  }
+  if (source.ldmicro) set_peripherals(source, image);
   return image;
 }
 

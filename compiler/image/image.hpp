@@ -74,6 +74,11 @@ struct Image {
   int port_words = 0;
   std::int64_t cycle_us = 0;  // of an LDmicro program: the time from scan to scan
   std::int64_t baud = 0;      // and the speed of its UART
+  bool uart = false;          // it has UART instructions
+  bool pwm = false;           // it has SET PWM
+  bool own_pins = false;      // its IO LIST assigns pins, of a micro-controller
+  // Of each PERSIST value the variable, in the order of the lasting memory.
+  std::vector<std::string> persist;
   int first_hidden_bit = 0;   // addresses from here are the compiler's own
   int first_hidden_word = 0;
   std::vector<SourceLine> source;  // the instructions of the program

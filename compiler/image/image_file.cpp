@@ -47,6 +47,8 @@ json to_json(const Image& image) {
   out["ports"] = {image.port_bits, image.port_words};
   out["cycle_us"] = image.cycle_us;
   out["baud"] = image.baud;
+  out["uses"] = {image.uart, image.pwm, image.own_pins};
+  out["persist"] = image.persist;
   out["first_hidden"] = {image.first_hidden_bit, image.first_hidden_word};
   json steps = json::array();
   for (const auto& step : image.steps) {
@@ -153,6 +155,11 @@ Image from_json(const json& in) {
   image.port_words = in.at("ports").at(1).get<int>();
   image.cycle_us = in.at("cycle_us").get<std::int64_t>();
   image.baud = in.at("baud").get<std::int64_t>();
+  const json& uses = in.at("uses");
+  image.uart = uses.at(0).get<bool>();
+  image.pwm = uses.at(1).get<bool>();
+  image.own_pins = uses.at(2).get<bool>();
+  image.persist = in.at("persist").get<std::vector<std::string>>();
   image.first_hidden_bit = in.at("first_hidden").at(0).get<int>();
   image.first_hidden_word = in.at("first_hidden").at(1).get<int>();
   for (const json& words : in.at("steps")) {

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/bound.hpp"
+
+#include "load/load_file.hpp"
+#include "rung_controller.hpp"
+#include "source/text_file.hpp"
+
+namespace rung::cli {
+
+std::optional<io::Map> read_io(Options& options, Diagnostics& diagnostics) {
+  if (options.io.empty()) return std::nullopt;
+  const auto bytes = read_bytes(options.io, diagnostics);
+  if (!bytes) return std::nullopt;
+  auto map = io::parse_map(*bytes, options.io, diagnostics);
+  if (!map) return std::nullopt;
+  if (options.config.empty()) options.config = map->board->config;
+  options.default_mpu = map->board->mpu;
+  return map;
+}
+
+std::int64_t clock_of(const Options& options, const image::Image& image) {
+  return options.clock_hz.value_or(isa::find_config(image.config)->clock_hz);
+}
+
+Bound bind_image(const image::Image& image, const std::optional<io::Map>& map,
+                 const Options& options, Diagnostics& diagnostics) {
+  Bound bound;
+  bound.subject = load::subject_of(image);
+  bound.map = map ? *map : io::default_map(bound.subject, diagnostics);
+  bound.bindings = io::bind(bound.map, bound.subject, diagnostics);
+  bound.timing = load::timing_of(image, bound.bindings, clock_of(options, image));
+  load::check_timing(bound.timing, bound.map, bound.bindings, diagnostics);
+  return bound;
+}
+
+void check_io(const Input& input, const std::optional<io::Map>& map, const Options& options,
+              Diagnostics& diagnostics) {
+  if (!map) return;
+  if (input.image) {
+    static_cast<void>(bind_image(*input.image, map, options, diagnostics));
+  } else {
+    const io::Subject subject = io::subject_of(*input.program, config_of(options).name);
+    static_cast<void>(io::bind(*map, subject, diagnostics));
+  }
+}
+
+}  // namespace rung::cli

@@ -1,0 +1,337 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "io/map.hpp"
+#include "io/toml_fields.hpp"
+#include "rung_controller.hpp"
+#include "source/nearest.hpp"
+#include "source/text_file.hpp"
+
+namespace rung::io {
+namespace {
+
+using Pins = std::vector<std::string_view>;
+
+// Periods and watchdogs are counted in clocks of 32 bits: 100 s are that at 42 MHz.
+constexpr std::int64_t kMostUs = 100'000'000;
+constexpr std::int64_t kMostFilterUs = 1'000'000;
+constexpr int kMostFilter = 15;
+
+template <typename Value, typename Found>
+void take(Value& value, const std::optional<Found>& found) {
+  if (found) value = static_cast<Value>(*found);
+}
+
+class MapReader {
+ public:
+  MapReader(const toml::table& root, const std::string& file, Diagnostics& diagnostics)
+      : root_(root), file_(file), diagnostics_(diagnostics) {}
+
+  std::optional<Map> read() {
+    const Fields root = fields(root_, "the map");
+    root.only(
+        {"board", "controller", "modbus", "inputs", "outputs", "analog", "pwm", "uart", "latched"});
+    map_.file = file_;
+    if (!read_board(root)) return std::nullopt;
+    if (const auto* table = root.table("controller")) read_controller(*table);
+    if (const auto* table = root.table("modbus")) read_modbus(*table);
+    if (const auto* table = root.table("inputs")) {
+      for (const auto& [key, node] : *table) read_input(key, node);
+    }
+    if (const auto* table = root.table("outputs")) {
+      for (const auto& [key, node] : *table) read_output(key, node);
+    }
+    if (const auto* table = root.table("analog")) {
+      for (const auto& [key, node] : *table) read_analog(key, node);
+    }
+    if (const auto* table = root.table("pwm")) {
+      for (const auto& [key, node] : *table) read_pwm(key, node);
+    }
+    if (const auto* table = root.table("uart")) read_uart(*table);
+    if (const auto* table = root.table("latched")) read_latched(*table);
+    // toml++ has them by name; messages and tables have them as the file does.
+    in_order(map_.inputs);
+    in_order(map_.outputs);
+    in_order(map_.analog);
+    in_order(map_.pwm);
+    return std::move(map_);
+  }
+
+ private:
+  Fields fields(const toml::table& table, std::string where) {
+    return {table, std::move(where), file_, diagnostics_};
+  }
+  void error(SourcePosition position, std::string what, std::string mend) {
+    diagnostics_.error(file_, position, std::move(what), std::move(mend));
+  }
+
+  template <typename Lines>
+  static void in_order(Lines& lines) {
+    std::stable_sort(lines.begin(), lines.end(), [](const Line& a, const Line& b) {
+      return std::pair(a.position.line, a.position.column) <
+             std::pair(b.position.line, b.position.column);
+    });
+  }
+
+  bool read_board(const Fields& root) {
+    std::vector<std::string_view> names;
+    for (const controller::Board& board : controller::boards()) names.push_back(board.name);
+    const std::string all = fmt::format("the boards are {}", fmt::join(names, ", "));
+    if (!root.has("board")) {
+      error({}, "the map does not say which board it is for",
+            "write in its first line: board = \"simulated\"; " + all);
+      return false;
+    }
+    const auto name = root.text("board");
+    if (!name) return false;
+    map_.board = find_board(*name);
+    if (map_.board != nullptr) return true;
+    const std::string_view near = nearest(*name, names);
+    root.error("board", fmt::format("there is no board {}", shown(*name)),
+               near.empty() ? all : fmt::format("did you mean {}? {}", near, all));
+    return false;
+  }
+
+  void read_controller(const toml::table& table) {
+    const Fields in = fields(table, "[controller]");
+    in.only({"period_ms", "watchdog_ms", "exchange_points", "save_seconds", "stop_on_bad_download",
+             "stop_after_power_up", "filter_us"});
+    Settings& settings = map_.settings;
+    map_.has_period = in.has("period_ms");
+    map_.period_position = in.position("period_ms");
+    map_.watchdog_position = in.position("watchdog_ms");
+    take(settings.period_us, in.milliseconds("period_ms", kMostUs));
+    take(settings.watchdog_us, in.milliseconds("watchdog_ms", kMostUs));
+    take(settings.exchange_points, in.integer("exchange_points", 16, 2000));
+    take(settings.save_seconds, in.integer("save_seconds", 0, 65535));
+    take(settings.stop_on_bad_download, in.flag("stop_on_bad_download"));
+    take(settings.stop_after_power_up, in.flag("stop_after_power_up"));
+    take(settings.filter_us, in.integer("filter_us", 1, kMostFilterUs));
+  }
+
+  void read_modbus(const toml::table& table) {
+    const Fields in = fields(table, "[modbus]");
+    in.only({"unit", "baud", "parity"});
+    take(map_.settings.unit, in.integer("unit", 1, 247));
+    take(map_.settings.baud, in.integer("baud", 9600, 921600));
+    const auto parity = in.text("parity");
+    if (!parity) return;
+    static const std::map<std::string_view, Parity> kParities = {
+        {"none", Parity::None}, {"odd", Parity::Odd}, {"even", Parity::Even}};
+    const auto found = kParities.find(*parity);
+    if (found != kParities.end()) {
+      map_.settings.parity = found->second;
+    } else {
+      in.error("parity", fmt::format("{} is no parity", shown(*parity)), "write none, odd or even");
+    }
+  }
+
+  // The number of a pin by its name; `others` are pins that would be the wrong kind.
+  std::optional<int> pin_of(const std::string& name, SourcePosition position, const Pins& pins,
+                            std::string_view what, const Pins& others,
+                            std::string_view other_what) {
+    const auto found = std::find(pins.begin(), pins.end(), name);
+    if (found == pins.end()) {
+      const std::string head =
+          fmt::format("{}: board {} has no {} of this name", shown(name), map_.board->name, what);
+      if (std::find(others.begin(), others.end(), name) != others.end()) {
+        error(position,
+              fmt::format("{}: this is no {} of board {} but one of its {}s", name, what,
+                          map_.board->name, other_what),
+              list_of(pins, what));
+        return std::nullopt;
+      }
+      const std::string_view near = nearest(name, pins);
+      error(position, head,
+            near.empty() ? list_of(pins, what)
+                         : fmt::format("did you mean {}? {}", near, list_of(pins, what)));
+      return std::nullopt;
+    }
+    const auto [first, is_new] = used_.try_emplace(name, position);
+    if (!is_new) {
+      error(position,
+            fmt::format("{}: the pin is used in line {} already", name, first->second.line),
+            "give one of the two another pin");
+      return std::nullopt;
+    }
+    return static_cast<int>(found - pins.begin());
+  }
+
+  static std::string list_of(const Pins& pins, std::string_view what) {
+    if (pins.empty()) return fmt::format("it has no {} at all: take the line out", what);
+    return fmt::format("it has: {}", fmt::join(pins, ", "));
+  }
+
+  // `NAME = "pin"` or `NAME = { pin = "pin", ... }`: the pin's name, and the table if it is one.
+  struct Value {
+    std::string name;
+    SourcePosition position;  // of `name`
+    const toml::table* table = nullptr;
+  };
+  std::optional<Value> value_of(const toml::key& key, const toml::node& node,
+                                std::string_view field) {
+    if (const auto* text = node.as_string()) {
+      return Value{text->get(), position_of(node.source()), nullptr};
+    }
+    const auto* table = node.as_table();
+    const toml::node* pin = table != nullptr ? table->get(field) : nullptr;
+    if (pin == nullptr || !pin->is_string()) {
+      error(position_of(key.source()),
+            fmt::format("{}: this does not say which {}", shown(key.str()), field),
+            fmt::format("write {} = \"NAME\" or {} = {{ {} = \"NAME\", ... }}", key.str(),
+                        key.str(), field));
+      return std::nullopt;
+    }
+    return Value{pin->as_string()->get(), position_of(pin->source()), table};
+  }
+
+  static Line line_of(const toml::key& key) {
+    return {std::string(key.str()), position_of(key.source())};
+  }
+
+  void read_input(const toml::key& key, const toml::node& node) {
+    const auto value = value_of(key, node, "pin");
+    if (!value) return;
+    InputLine line{line_of(key)};
+    if (value->table != nullptr) {
+      const Fields in = fields(*value->table, line.name);
+      in.only({"pin", "filter", "invert"});
+      take(line.filter, in.integer("filter", 0, kMostFilter));
+      take(line.invert, in.flag("invert"));
+    }
+    const auto pin = pin_of(value->name, value->position, map_.board->inputs, "input pin",
+                            map_.board->outputs, "output pin");
+    if (!pin) return;
+    line.pin = *pin;
+    map_.inputs.push_back(std::move(line));
+  }
+
+  void read_output(const toml::key& key, const toml::node& node) {
+    const auto value = value_of(key, node, "pin");
+    if (!value) return;
+    OutputLine line{line_of(key)};
+    if (value->table != nullptr) {
+      const Fields in = fields(*value->table, line.name);
+      in.only({"pin", "safe", "invert"});
+      read_safe(in, line.safe);
+      take(line.invert, in.flag("invert"));
+    }
+    const auto pin = pin_of(value->name, value->position, map_.board->outputs, "output pin",
+                            map_.board->inputs, "input pin");
+    if (!pin) return;
+    line.pin = *pin;
+    map_.outputs.push_back(std::move(line));
+  }
+
+  static void read_safe(const Fields& in, Safe& safe) {
+    const toml::node* node = in.node("safe");
+    if (node == nullptr) return;
+    if (node->value<std::int64_t>() == 0 && node->is_integer()) {
+      safe = Safe::Low;
+    } else if (node->value<std::int64_t>() == 1 && node->is_integer()) {
+      safe = Safe::High;
+    } else if (node->value<std::string_view>() == "hold") {
+      safe = Safe::Hold;
+    } else {
+      in.error("safe", "this is no state of an output", "write 0, 1 or \"hold\"");
+    }
+  }
+
+  void read_analog(const toml::key& key, const toml::node& node) {
+    const auto value = value_of(key, node, "channel");
+    if (!value) return;
+    if (value->table != nullptr) fields(*value->table, std::string(key.str())).only({"channel"});
+    for (int channel = 0; channel < map_.board->adc; ++channel) {
+      if (value->name != fmt::format("adc{}", channel)) continue;
+      map_.analog.push_back({line_of(key), channel});
+      return;
+    }
+    error(value->position,
+          fmt::format("{}: board {} has no such analogue channel", shown(value->name),
+                      map_.board->name),
+          map_.board->adc == 0 ? "it has none: take the line out"
+                               : fmt::format("it has adc0 to adc{}", map_.board->adc - 1));
+  }
+
+  void read_pwm(const toml::key& key, const toml::node& node) {
+    const auto value = value_of(key, node, "pin");
+    if (!value) return;
+    PwmLine line{line_of(key)};
+    if (value->table != nullptr) {
+      const Fields in = fields(*value->table, line.name);
+      in.only({"pin", "hz"});
+      take(line.hz, in.integer("hz", 1, 1'000'000));
+    }
+    const auto pin = pin_of(value->name, value->position, map_.board->pwm, "PWM output",
+                            map_.board->outputs, "plain output pin");
+    if (!pin) return;
+    line.pin = *pin;
+    map_.pwm.push_back(std::move(line));
+  }
+
+  void read_uart(const toml::table& table) {
+    const Fields in = fields(table, "[uart]");
+    in.only({"ladder"});
+    const auto name = in.text("ladder");
+    if (!name) return;
+    const SourcePosition position = position_of(in.node("ladder")->source());
+    if (!pin_of(*name, position, map_.board->uart, "UART", map_.board->outputs, "output pin")) {
+      return;
+    }
+    map_.uart = Line{*name, in.position("ladder")};
+  }
+
+  void read_latched(const toml::table& table) {
+    const Fields in = fields(table, "[latched]");
+    in.only({"devices"});
+    const toml::node* node = in.node("devices");
+    if (node == nullptr) return;
+    const auto* array = node->as_array();
+    if (array == nullptr) {
+      return in.error("devices", "this is no list",
+                      "write [\"M100-M199\", \"D5\"], or [] for none");
+    }
+    map_.latched.emplace();
+    for (const toml::node& each : *array) {
+      if (const auto* text = each.as_string()) {
+        map_.latched->push_back({text->get(), position_of(each.source())});
+      } else {
+        error(position_of(each.source()), "this is no device or range of devices",
+              "write \"M100-M199\" or \"D5\"");
+      }
+    }
+  }
+
+  const toml::table& root_;
+  const std::string& file_;
+  Diagnostics& diagnostics_;
+  Map map_;
+  std::map<std::string, SourcePosition> used_;  // pins
+};
+
+}  // namespace
+
+const controller::Board* find_board(std::string_view name) {
+  for (const controller::Board& board : controller::boards()) {
+    if (board.name == name) return &board;
+  }
+  return nullptr;
+}
+
+std::optional<Map> parse_map(std::string_view text, const std::string& file,
+                             Diagnostics& diagnostics) {
+  try {
+    const toml::table root = toml::parse(text, std::string_view(file));
+    return MapReader(root, file, diagnostics).read();
+  } catch (const toml::parse_error& problem) {
+    diagnostics.error(file, position_of(problem.source()),
+                      fmt::format("this is no TOML: {}", problem.description()),
+                      "the format is on compiler/io/README.md");
+    return std::nullopt;
+  }
+}
+
+}  // namespace rung::io

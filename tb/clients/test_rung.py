@@ -1,0 +1,219 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Our own commands (load, info, monitor, force, control; on libmodbus) against `rung device`, with pymodbus
+beside them: downloads, what a bad one leaves, power loss."""
+from __future__ import annotations
+
+import csv
+import tempfile
+import unittest
+import zlib
+from pathlib import Path
+
+from pymodbus import FramerType
+from pymodbus.client import ModbusSerialClient
+
+from bench import CLOCK, PROGRAMS, RUNG, Device, cell, eventually, holding, run
+
+CELL, CELL_MAP = str(PROGRAMS / "cell.il"), str(PROGRAMS / "cell.toml")
+PRESS, PRESS_MAP = str(PROGRAMS / "press.il"), str(PROGRAMS / "press.toml")
+WINDOW_WORDS = 64
+BEGIN, COMMIT = 1, 2
+DONE, WRONG_CRC = 2, 3
+
+
+class Case(unittest.TestCase):
+    def setUp(self) -> None:
+        self.scratch = Path(self.enterContext(tempfile.TemporaryDirectory(prefix="rung-clients-")))
+
+    def rung(self, device: Device, command: str, *arguments: str, code: int = 0) -> str:
+        done = run([RUNG, command, *arguments, "--port", device.link])
+        self.assertEqual(done.returncode, code, done.stdout + done.stderr)
+        return done.stdout + done.stderr
+
+    def client(self, device: Device, unit: int = 1) -> Client:
+        client = Client(self, device.link, unit)
+        self.addCleanup(client.serial.close)
+        return client
+
+    def load_file(self, program: str, io_map: str) -> list[int]:
+        file = self.scratch / "load"
+        done = run([RUNG, "compile", program, "--io", io_map, *CLOCK, "--load-file", str(file)])
+        self.assertEqual(done.returncode, 0, done.stderr)
+        data = file.read_bytes()
+        return [int.from_bytes(data[i:i + 2], "big") for i in range(0, len(data), 2)]
+
+
+class Client:
+    """pymodbus, with the registers by name; every request must be answered and right."""
+
+    def __init__(self, test: Case, port: str, unit: int) -> None:
+        self.test, self.unit = test, unit
+        self.serial = ModbusSerialClient(port, framer=FramerType.RTU, baudrate=19200, timeout=5, retries=0)
+        test.assertTrue(self.serial.connect())
+
+    def read(self, register: str | int, count: int = 1) -> list[int]:
+        address = register if isinstance(register, int) else holding(register)
+        reply = self.serial.read_holding_registers(address, count=count, device_id=self.unit)
+        self.test.assertFalse(reply.isError(), reply)
+        return reply.registers
+
+    def read32(self, register: str) -> int:
+        low, high = self.read(register, 2)
+        return low | high << 16
+
+    def write(self, register: str | int, *words: int) -> None:
+        address = register if isinstance(register, int) else holding(register)
+        reply = self.serial.write_registers(address, list(words), device_id=self.unit)
+        self.test.assertFalse(reply.isError(), reply)
+
+    def scans(self) -> bool:
+        """Whether the cell's program is running: it counts its scans in D10."""
+        first = self.read(10)
+        return self.read(10) != first
+
+    def send_load(self, words: list[int], crc: int) -> int:
+        """Downloads by hand; gives the state in which it ends."""
+        low_high = lambda value: (value & 0xFFFF, value >> 16)
+        self.write("load_length", *low_high(len(words)))
+        self.write("load_crc", *low_high(crc))
+        self.write("load_command", BEGIN)
+        eventually(self.test, lambda: self.read("load_state") == [1])
+        for offset in range(0, len(words), WINDOW_WORDS):
+            self.write("window_offset", *low_high(offset), *words[offset:offset + WINDOW_WORDS])
+        self.write("load_command", COMMIT)
+        eventually(self.test, lambda: self.read("load_state") != [1])
+        return self.read("load_state")[0]
+
+
+def crc_of(words: list[int]) -> int:
+    return zlib.crc32(b"".join(word.to_bytes(2, "big") for word in words))
+
+
+class Load(Case):
+    def test_second_program_while_the_first_runs(self) -> None:
+        """Also another unit, baud rate and parity: the press's map has them."""
+        with cell() as device:
+            self.assertTrue(self.client(device).scans())
+            text = self.rung(device, "load", PRESS, "--io", PRESS_MAP, *CLOCK)
+            self.assertIn("running", text)
+            press = self.client(device, unit=5)
+            self.assertEqual(press.read(31), [4711])
+            first = press.read(30)
+            eventually(self, lambda: press.read(30) != first)
+            self.assertIn("board simulated", self.rung(device, "info", "--unit", "5", "--baud", "9600",
+                                                       "--parity", "none"))
+
+    def test_read_back_is_what_was_loaded(self) -> None:
+        with cell() as device:
+            words = self.load_file(CELL, CELL_MAP)
+            client = self.client(device)
+            self.assertEqual(client.read32("program_length"), len(words))
+            self.assertEqual(client.read32("program_crc"), crc_of(words))
+            back: list[int] = []
+            for offset in range(0, len(words), WINDOW_WORDS):
+                client.write("window_offset", offset & 0xFFFF, offset >> 16)
+                back += client.read("window", min(WINDOW_WORDS, len(words) - offset))
+            self.assertEqual(back, words)
+
+    def test_corrupt_download_leaves_the_old_program_running(self) -> None:
+        with cell() as device:
+            client = self.client(device)
+            generation = client.read32("program_generation")
+            words = self.load_file(CELL, CELL_MAP)
+            crc = crc_of(words)
+            bad = list(words)
+            bad[len(bad) // 2] ^= 0x0400
+            self.assertEqual(client.send_load(bad, crc), WRONG_CRC)
+            self.assertTrue(client.scans())
+            self.assertEqual(client.read32("program_generation"), generation)
+            # The same by hand, but right.
+            self.assertEqual(client.send_load(words, crc), DONE)
+            self.assertGreater(client.read32("program_generation"), generation)
+            eventually(self, client.scans)
+
+    def test_wrong_board_is_refused(self) -> None:
+        with Device("--board", "hx8k", CELL_SMALL, "--io", HX8K_MAP) as device:
+            text = self.rung(device, "load", PRESS, "--io", PRESS_MAP, *CLOCK, code=1)
+            self.assertIn("error", text)
+            eventually(self, self.client(device).scans)
+
+    def test_no_program_then_a_first_one(self) -> None:
+        flash = self.scratch / "flash.bin"
+        with Device("--flash", str(flash)) as device:
+            self.assertIn("no program", self.rung(device, "info"))
+            self.rung(device, "load", CELL, "--io", CELL_MAP, *CLOCK)
+            eventually(self, self.client(device).scans)
+            self.assertEqual(device.end(), 0)
+        # The flash is kept: the next device starts with it.
+        with Device("--flash", str(flash)) as device:
+            eventually(self, self.client(device).scans)
+
+
+class Power(Case):
+    def test_program_and_latched_devices_survive(self) -> None:
+        with cell() as device:
+            client = self.client(device)
+            client.write(512, 1)  # D512 on is what an FX keeps; the program does not name it
+            device.tell("power off")
+            since = device.tell("show")
+            device.wait_for("power off", since)
+            device.tell("power on")
+            eventually(self, lambda: not self.client(device).serial.read_holding_registers(10).isError())
+            eventually(self, self.client(device).scans)
+
+
+class Commands(Case):
+    @classmethod
+    def setUpClass(cls) -> None:
+        cls.device = cls.enterClassContext(cell())
+
+    def test_info(self) -> None:
+        text = self.rung(self.device, "info")
+        for part in ("board simulated", "MPU3", "running", "generation 1"):
+            self.assertIn(part, text)
+
+    def test_force_and_release(self) -> None:
+        since = len(self.device.lines)
+        self.rung(self.device, "force", "Y2=1")
+        self.device.wait_for("out2=1", since)
+        self.device.wait_for("FORCED=1", since)
+        self.rung(self.device, "force", "X0=1")
+        self.device.wait_for("out0=1", since)
+        listed = self.rung(self.device, "force", "--list")
+        self.assertIn("X0", listed)
+        self.assertIn("Y2", listed)
+        since = len(self.device.lines)
+        self.rung(self.device, "force", "--release-all")
+        self.device.wait_for("FORCED=0", since)
+        self.device.wait_for("out2=0", since)
+        self.rung(self.device, "force", "X1=1")
+        self.device.wait_for("out0=0", since)
+        self.rung(self.device, "force", "X1=release")
+
+    def test_monitor_records_csv(self) -> None:
+        file = self.scratch / "record.csv"
+        self.rung(self.device, "monitor", "D10", "Y0", "--count", "5", "--interval", "20", "--csv", str(file))
+        rows = list(csv.reader(file.open()))
+        self.assertEqual(rows[0], ["time", "D10", "Y0"])
+        self.assertEqual(len(rows), 6)
+        self.assertGreater(len({row[1] for row in rows[1:]}), 1)
+
+    def test_stop_is_safe_and_run_goes_on(self) -> None:
+        since = len(self.device.lines)
+        self.assertIn("stopped", self.rung(self.device, "control", "stop"))
+        self.device.wait_for("out1=1", since)  # Y1's safe state, by the map
+        self.device.wait_for("RUN=0", since)
+        since = len(self.device.lines)
+        self.assertIn("running", self.rung(self.device, "control", "run"))
+        self.device.wait_for("RUN=1", since)
+        self.device.wait_for("out1=0", since)
+
+    def test_nobody_there(self) -> None:
+        self.assertIn("error", self.rung(self.device, "info", "--unit", "77", "--timeout", "200", code=1))
+
+
+CELL_SMALL, HX8K_MAP = str(PROGRAMS / "small.il"), str(PROGRAMS / "small.toml")
+
+
+if __name__ == "__main__":
+    unittest.main()

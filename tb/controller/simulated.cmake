@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: Apache-2.0
+# rung_controller_models: the controller of two boards, Verilated for speed and without sanitizers, built
+# once for `rung device` and the tests. rung_simulated_controller: the bench around it.
+set(RUNG_CLOCKS_PER_MS 250)  # of a simulated millisecond
+file(GLOB controller_sources CONFIGURE_DEPENDS
+  ${RUNG_ROOT}/hdl/controller/*.v ${RUNG_ROOT}/hdl/controller/micro/*.v
+  ${RUNG_ROOT}/hdl/core/*.v ${RUNG_ROOT}/hdl/peripherals/*.v ${RUNG_ROOT}/hdl/mpu*.v)
+list(APPEND controller_sources ${RUNG_ROOT}/hdl/boards/ladder_ports.v)
+
+add_library(rung_controller_models STATIC)
+target_compile_options(rung_controller_models PRIVATE -O2 -w)
+foreach(board simulated:0 hx8k:2)
+  string(REGEX REPLACE ":.*" "" name ${board})
+  string(REGEX REPLACE ".*:" "" number ${board})
+  verilate(rung_controller_models
+    SOURCES ${CMAKE_CURRENT_SOURCE_DIR}/simulated_controller.v ${controller_sources}
+    INCLUDE_DIRS ${RUNG_GENERATED} ${RUNG_ROOT}/hdl/core ${RUNG_ROOT}/hdl/controller
+    TOP_MODULE simulated_controller
+    PREFIX Vcontroller_${name}
+    VERILATOR_ARGS -Wall -O3 --x-initial unique --x-assign fast --noassert
+                   -GBOARD=${number} -GCLOCKS_PER_MS=${RUNG_CLOCKS_PER_MS})
+endforeach()
+get_target_property(controller_includes rung_controller_models INCLUDE_DIRECTORIES)
+set_target_properties(rung_controller_models PROPERTIES
+                      INTERFACE_SYSTEM_INCLUDE_DIRECTORIES "${controller_includes}")
+
+add_library(rung_simulated_controller STATIC simulated_controller.cpp)
+target_link_libraries(rung_simulated_controller PUBLIC rung_device rung_controller_models
+                      rung_flash_model)
+target_include_directories(rung_simulated_controller PUBLIC ${RUNG_ROOT}/tb)
+target_compile_definitions(rung_simulated_controller PRIVATE
+                           RUNG_CLOCKS_PER_MS=${RUNG_CLOCKS_PER_MS})
+# Its loop runs with every clock of every simulated hour: as fast in the tests as the model itself.
+target_compile_options(rung_simulated_controller PRIVATE -O2 $<$<BOOL:${RUNG_SANITIZE}>:-fno-sanitize=all>)
+
+add_executable(unit_bit_line bit_line_test.cpp)
+target_link_libraries(unit_bit_line PRIVATE rung_options GTest::gtest_main)
+target_include_directories(unit_bit_line PRIVATE ${RUNG_ROOT}/tb)
+gtest_discover_tests(unit_bit_line)

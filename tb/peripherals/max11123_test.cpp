@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kFrame = 36 * 4;  // clocks, as hdl/peripherals/max11123.v says
 constexpr int kStart =
-    (4 + 2 + 9) * kFrame + 1;  // settings, frames without an answer, all channels
+    (4 + 2 + 9) * kFrame + 2;  // settings, frames without an answer, all channels
 constexpr int kOldest = 10 * kFrame;
 
 class Converter {

@@ -54,12 +54,17 @@ def place_and_route(design: Design, netlist: Path, seed: int) -> Routed:
                "--timing-allow-fail"]
     inputs = [netlist]
     if board.constraints:
-        options += [board.constraints[0], str(board.constraints[1])]
+        option, file = board.constraints
+        options += [option + str(file)] if option.endswith("=") else [option, str(file)]
         inputs.append(board.constraints[1])
     else:
         options.append("--lpf-allow-unconstrained")
+    results = [report]
+    if design.kind == "bit":
+        options += [board.family.layout, str(design.layout(seed))]
+        results.append(design.layout(seed))
     want = tools.digest([" ".join(options), nextpnr_version(tool)], inputs)
-    if not tools.up_to_date(stamp, want, [report]):
+    if not tools.up_to_date(stamp, want, results):
         stamp.unlink(missing_ok=True)
         tools.run([tool, *options, "--json", str(netlist), "--report", str(report)],
                   tools.LOGS / f"pnr-{design.name}-seed{seed}.log")

@@ -13,7 +13,7 @@ from typing import Any
 from flow import place_route, stages, synthesis
 from flow.designs import Design
 
-FLIP_FLOP = re.compile(r"TRELLIS_FF$|SB_DFF")
+FLIP_FLOP = re.compile(r"TRELLIS_FF$|SB_DFF|DFF")
 LUT = re.compile(r"(SB_)?LUT4$")
 
 

@@ -90,6 +90,7 @@ class Design:
     board: Board
     ours: bool = True             # False: third-party Verilog, whose warnings are not ours
     kind: str = "pnr"             # folder under build
+    data: tuple[Path, ...] = ()   # files that the Verilog reads
 
     @property
     def folder(self) -> Path:

@@ -14,7 +14,7 @@ import tomllib
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
-from flow import area, bitstream, boards_report, modules, tools
+from flow import area, bitstream, boards_report, tools
 from flow.designs import PLC_BOARDS, Board, plc_design
 from flow.place_route import nextpnr_version, place_and_route
 from flow.synthesis import synthesise, yosys_version
@@ -49,7 +49,7 @@ def measure(name: str, board: Board, seeds: list[int], jobs: int) -> dict[str, A
                      "max": round(max(mhz), 1),
                      "seeds": {str(run.seed): round(run.fmax_mhz, 1) for run in runs}},
         "bitstream": {"file": made.file.name, "bytes": made.file.stat().st_size, "seed": first.seed},
-        "parts": boards_report.parts(modules.measure(design)),
+        "parts": boards_report.parts(design),
     }
 
 

@@ -41,7 +41,7 @@ def verilator() -> list[str]:
         for mpu in MPUS:
             runs.append((board.name, list(rung_design(mpu, board).sources), [f"-GMPU={mpu}"]))
     for board in PLC_BOARDS.values():
-        runs.append((board.name, [*plc_design(board).sources, ROOT / "tb" / "boards" / "usrmclk.v"], []))
+        runs.append((board.name, [*plc_design(board).sources, ROOT / "tb" / "boards" / "USRMCLK.v"], []))
     for top, sources, options in runs:
         found.append(output([VERILATOR, "--lint-only", "-Wall", *INCLUDE, *options,
                              "--top-module", top, *map(str, sources)]))

@@ -5,44 +5,31 @@ from __future__ import annotations
 import dataclasses
 from typing import Any
 
+from flow import modules, tools
 from flow.area_report import table, tools_line
-from flow.modules import Area
+from flow.designs import Design
 
-# Part of the controller -> names of its instances below controller_core, wherever they stand
+# Parts of a board top and their modules; those inside another part count there
 PARTS = {
     "processor": ("processor",),
-    "micro-sequencer, its program and its RAM": ("micro",),
-    "host line: UART, RTU frames, CRC-16": ("host_uart", "line"),
-    "host exchange and device map": ("exchange", "map"),
-    "scan: phases, list of inputs and outputs, time, filters, pins": ("scan", "io_list", "time_base", "pins"),
-    "device ports: exchange, UART, PWM": ("ports",),
-    "flash port, CRC-32": ("flash", "crc"),
-    "converter": ("adc",),
+    "micro-sequencer, its program and its RAM": tuple(
+        sorted(file.stem for file in (tools.ROOT / "hdl" / "controller" / "micro").glob("*.v"))),
+    "host line: UART, RTU frames, CRC-16": ("host_uart", "rtu_line"),
+    "host exchange and device map": ("host_exchange", "device_map"),
+    "scan: phases, list of inputs and outputs, time, filters, pins": (
+        "scan_controller", "io_list", "time_base", "input_filter", "output_pins"),
+    "device ports: exchange, UART, PWM": ("ladder_ports", "port_exchange", "uart_rx", "uart_tx", "pwm"),
+    "flash port, CRC-32": ("flash_port", "crc32"),
+    "converter": ("max11123",),
 }
 SERVER = tuple(PARTS)[1:4]
 # Most LUTs of the Modbus server (micro-sequencer, host line, exchange and map) and of the sequencer alone
 BOUNDS = {"micro-sequencer": 700, "Modbus server": 2000}
 
 
-def parts(areas: dict[str, Area]) -> dict[str, dict[str, int]]:
-    """Area of each part: the topmost instances with its names; "other" is what is left."""
-    found = {}
-    rest = areas[""]
-    for part, names in PARTS.items():
-        mine = [path for path in areas if path.rsplit(".", 1)[-1] in names]
-        mine = [path for path in mine if not any(path.startswith(other + ".") for other in areas
-                                                 if other and is_part(other))]
-        total = Area()
-        for path in mine:
-            total += areas[path]
-        found[part] = dataclasses.asdict(total)
-        rest = Area(rest.luts - total.luts, rest.flip_flops - total.flip_flops,
-                    rest.block_rams - total.block_rams)
-    return {**found, "other": dataclasses.asdict(rest)}
-
-
-def is_part(path: str) -> bool:
-    return any(path.rsplit(".", 1)[-1] in names for names in PARTS.values())
+def parts(design: Design) -> dict[str, dict[str, int]]:
+    """Area of each part, and "other"."""
+    return {part: dataclasses.asdict(area) for part, area in modules.measure(design, PARTS).items()}
 
 
 def server(record: dict[str, Any]) -> dict[str, int]:
@@ -61,8 +48,8 @@ def missed(report: dict[str, Any]) -> list[str]:
             if luts > report["bounds"][what]:
                 found.append(f"{record['board']}: the {what} takes {luts} LUTs, at most {report['bounds'][what]} "
                              "are wanted")
-        found += [f"{record['board']}: no instance of the part \"{part}\": PARTS has other names"
-                  for part in tuple(PARTS)[:-1] if not any(record["parts"][part].values())]
+        found += [f"{record['board']}: no instance of \"{part}\": PARTS of boards_report.py has other names"
+                  for part in list(PARTS)[:-1] if not any(record["parts"][part].values())]
     return found
 
 

@@ -53,21 +53,21 @@ def netlist(design: Design) -> dict[str, Any]:
     return json.loads(file.read_text())["modules"]
 
 
-def measure(design: Design) -> dict[str, Area]:
-    """Area of each instance and what is below it, by its path ("controller.core.sequencer"), "" for all."""
+def measure(design: Design, groups: dict[str, tuple[str, ...]]) -> dict[str, Area]:
+    """Area of each group of modules: of their topmost instances with all that is below; "other": the rest."""
     modules = netlist(design)
-    found: dict[str, Area] = {}
+    group_of = {module: group for group, names in groups.items() for module in names}
+    found = {group: Area() for group in (*groups, "other")}
 
-    def walk(module: str, path: str) -> Area:
-        area = Area()
-        for name, cell in modules[module]["cells"].items():
+    def walk(module: str, group: str) -> None:
+        if group == "other":
+            group = group_of.get(plain(module), group)
+        for cell in modules[module]["cells"].values():
             kind = cell["type"]
             if kind in modules and not int(modules[kind]["attributes"].get("blackbox", "0"), 2):
-                area += walk(kind, f"{path}.{name}".lstrip("."))
+                walk(kind, group)
             else:
-                area += Area(*(bool(pattern.match(kind)) for pattern in KINDS.values()))
-        found[path] = area
-        return area
+                found[group] += Area(*(bool(pattern.match(kind)) for pattern in KINDS.values()))
 
-    walk(design.top, "")
+    walk(design.top, "other")
     return found

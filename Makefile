@@ -9,6 +9,8 @@ SHELL := /bin/bash
 
 MPU     ?= 1 2 3
 BOARD   ?= ulx3s hx8k
+# Boards of the controller: all of them unless BOARD is given
+PLC_BOARD := $(if $(filter file,$(origin BOARD)),ulx3s hx8k tangnano20k,$(BOARD))
 SEEDS   ?= 1 2 3 4 5
 CONFIG  ?= ecp5
 PROGRAM ?=
@@ -95,6 +97,26 @@ pnr: ## place and route: area and clock, into reports/ if all of them run; MPU= 
 	@scripts/setup.sh flow
 	@$(VENV)/python scripts/pnr.py $(FLOW) --seeds $(SEEDS) --jobs $(JOBS)
 	@if [ -e reports/area-timing.json ]; then $(PYTHON) scripts/report_area.py; fi
+
+.PHONY: bit
+bit: ## bitstreams of the controller: build/bit; BOARD=ulx3s, hx8k or tangnano20k, without it all
+	@scripts/setup.sh flow
+	$(firmware)
+	@$(VENV)/python scripts/bit.py --board $(PLC_BOARD) --seeds $(SEEDS)
+
+.PHONY: prog
+prog: ## load a board's flash with its bitstream; BOARD=, PROG=--sram (until power is off), --dry-run
+	@if [ $(words $(PLC_BOARD)) != 1 ]; then \
+	  echo 'which board? make prog BOARD=ulx3s, hx8k or tangnano20k' >&2; exit 2; fi
+	@scripts/setup.sh prog
+	@$(MAKE) --no-print-directory bit
+	@$(VENV)/python scripts/prog.py --board $(PLC_BOARD) $(PROG)
+
+.PHONY: boards
+boards: ## the controller on its boards: area and clock over seeds 1 to 3: reports/boards.md
+	@scripts/setup.sh flow
+	$(firmware)
+	@$(VENV)/python scripts/boards.py --jobs $(JOBS)
 
 .PHONY: bench
 bench: build ## scan times of the samples beside soft cores and this machine, into reports/

@@ -198,7 +198,8 @@ TEST_F(ClientCli, ExportGivesEveryAddress) {
          {"name,comment,device,table,address,type\n", "X0,\"Start, left\",X0,discrete,13312,bit\n",
           "Y1,,Y1,coil,13057,bit\n", "CN220,,CN220,holding,42032,int32\n",
           "D999,,D999,holding,999,int16\n", "R5000,,R5000,none,,int16\n",
-          "warning: 1 devices of the program have no Modbus address"});
+          "warning: devices of the program without a Modbus address on a controller of "
+          "configuration ecp5: 1"});
   EXPECT_EQ(all.out.find("CN220:h"), std::string::npos);
 }
 

@@ -66,7 +66,7 @@ Checked check(const std::string& text, const Program& program, int mpu = 3,
     out.subject = load::subject_of(image);
     out.bindings = io::bind(*out.map, out.subject, diagnostics);
     const auto timing = load::timing_of(image, out.bindings, isa::find_config(config)->clock_hz);
-    load::check_timing(timing, *out.map, out.bindings, diagnostics);
+    load::check_timing(timing, *out.map, out.bindings, image.program, diagnostics);
   }
   out.messages = printed(diagnostics);
   out.errors = diagnostics.has_errors();

@@ -60,10 +60,16 @@ std::string serial_ports() {
   }
 }
 
+// A pseudo-terminal (`rung device`) has no parity bit, and the C library refuses to set one.
+bool is_pseudo_terminal(const std::string& port) {
+  std::error_code ignored;
+  return std::filesystem::canonical(port, ignored).string().starts_with("/dev/pts/");
+}
+
 _modbus* make_line(const LineOptions& options) {
   if (!options.port.starts_with(kTcp)) {
-    return modbus_new_rtu(options.port.c_str(), options.baud, options.parity, 8,
-                          options.parity == 'N' ? 2 : 1);
+    const char parity = is_pseudo_terminal(options.port) ? 'N' : options.parity;
+    return modbus_new_rtu(options.port.c_str(), options.baud, parity, 8, parity == 'N' ? 2 : 1);
   }
   const std::string address = options.port.substr(kTcp.size());
   const std::size_t colon = address.rfind(':');

@@ -30,7 +30,7 @@ class Gateway(unittest.TestCase):
         client = self.client()
         self.assertFalse(client.write_registers(0, [7, 8]).isError())
         self.assertEqual(client.read_holding_registers(0, count=2).registers, [7, 8])
-        self.assertEqual(client.read_holding_registers(0x2000).exception_code, 2)
+        self.assertEqual(client.read_holding_registers(0x4000).exception_code, 2)
         self.assertIn(b"Rung", b"".join(client.read_device_information(read_code=1).information.values()))
 
     def test_unit_that_is_not_there(self) -> None:
@@ -49,7 +49,7 @@ class Gateway(unittest.TestCase):
                 if got.isError() or got.registers != [value]:
                     wrong.append(f"{address}: wrote {value}, read {got}")
 
-        terminal = ModbusSerialClient(self.device.link, framer=FramerType.RTU, baudrate=19200, parity="E",
+        terminal = ModbusSerialClient(self.device.link, framer=FramerType.RTU, baudrate=19200,
                                       timeout=10, retries=0)
         self.assertTrue(terminal.connect())
         with contextlib.closing(terminal):

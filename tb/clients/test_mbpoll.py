@@ -16,7 +16,7 @@ class Mbpoll(unittest.TestCase):
         cls.device = cls.enterClassContext(cell("--tcp", "0"))
 
     def mbpoll(self, table: str, address: int, *values: int, count: int = 1, rtu: bool = True):
-        line = ["-m", "rtu", "-b", "19200", "-P", "even", self.device.link] if rtu else \
+        line = ["-m", "rtu", "-b", "19200", "-P", "none", self.device.link] if rtu else \
                ["-m", "tcp", "-p", str(self.device.tcp_port), "127.0.0.1"]
         amount = [] if values else ["-c", str(count)]
         return run(["mbpoll", "-0", "-1", "-q", "-o", "3", "-a", "1", "-t", table, "-r", str(address),
@@ -53,7 +53,7 @@ class Mbpoll(unittest.TestCase):
                 self.assertEqual(self.read(COIL, 0, rtu=rtu), [0])
 
     def test_exception(self) -> None:
-        done = self.mbpoll(WORD, 0x2000)
+        done = self.mbpoll(WORD, 0x4000)
         self.assertNotEqual(done.returncode, 0)
         self.assertIn("Illegal data address", done.stdout + done.stderr)
 

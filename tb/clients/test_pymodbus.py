@@ -12,8 +12,8 @@ from bench import areas, cell, eventually, holding
 ILLEGAL_FUNCTION, ILLEGAL_ADDRESS, ILLEGAL_VALUE = 1, 2, 3
 
 
-def serial(port: str, baud: int = 19200, parity: str = "E") -> ModbusSerialClient:
-    client = ModbusSerialClient(port, framer=FramerType.RTU, baudrate=baud, parity=parity, timeout=3,
+def serial(port: str, baud: int = 19200) -> ModbusSerialClient:
+    client = ModbusSerialClient(port, framer=FramerType.RTU, baudrate=baud, timeout=3,
                                 retries=0)
     if not client.connect():
         raise AssertionError(f"pymodbus cannot open {port}")
@@ -125,7 +125,7 @@ class Pymodbus(unittest.TestCase):
         self.right(self.client.mask_write_register(address=0, and_mask=0x00F2, or_mask=0x0025))
         self.assertEqual(self.words(0), [0x0017])
         self.refused(ILLEGAL_ADDRESS,
-                     self.client.mask_write_register(address=0x2000, and_mask=0, or_mask=0))
+                     self.client.mask_write_register(address=0x4000, and_mask=0, or_mask=0))
 
     def test_read_and_write_at_once(self) -> None:
         """FC 23 writes before it reads."""
@@ -133,7 +133,7 @@ class Pymodbus(unittest.TestCase):
                                                 values=[77])
         self.assertEqual(self.right(reply).registers[1], 77)
         self.refused(ILLEGAL_ADDRESS,
-                     self.client.readwrite_registers(read_address=0x2000, read_count=2,
+                     self.client.readwrite_registers(read_address=0x4000, read_count=2,
                                                      write_address=1, values=[78]))
         self.assertEqual(self.words(1), [77], "a refused request has written nothing")
 

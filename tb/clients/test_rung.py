@@ -11,17 +11,22 @@ from pathlib import Path
 
 from pymodbus import FramerType
 from pymodbus.client import ModbusSerialClient
+from pymodbus.exceptions import ModbusIOException
 
 from bench import CLOCK, PROGRAMS, RUNG, Device, cell, eventually, holding, run
 
 CELL, CELL_MAP = str(PROGRAMS / "cell.il"), str(PROGRAMS / "cell.toml")
+SMALL, HX8K_MAP = str(PROGRAMS / "small.il"), str(PROGRAMS / "small.toml")
 PRESS, PRESS_MAP = str(PROGRAMS / "press.il"), str(PROGRAMS / "press.toml")
 WINDOW_WORDS = 64
-BEGIN, COMMIT = 1, 2
+BEGIN, COMMIT = 1, 2  # load_command
+SAVE = 6  # command
 DONE, WRONG_CRC = 2, 3
 
 
 class Case(unittest.TestCase):
+    open_client: Client | None = None
+
     def setUp(self) -> None:
         self.scratch = Path(self.enterContext(tempfile.TemporaryDirectory(prefix="rung-clients-")))
 
@@ -31,9 +36,12 @@ class Case(unittest.TestCase):
         return done.stdout + done.stderr
 
     def client(self, device: Device, unit: int = 1) -> Client:
-        client = Client(self, device.link, unit)
-        self.addCleanup(client.serial.close)
-        return client
+        """The test's one client of this kind; an earlier one is closed."""
+        if self.open_client:
+            self.open_client.close()
+        self.open_client = Client(self, device.link, unit)
+        self.addCleanup(self.open_client.close)
+        return self.open_client
 
     def load_file(self, program: str, io_map: str) -> list[int]:
         file = self.scratch / "load"
@@ -48,8 +56,9 @@ class Client:
 
     def __init__(self, test: Case, port: str, unit: int) -> None:
         self.test, self.unit = test, unit
-        self.serial = ModbusSerialClient(port, framer=FramerType.RTU, baudrate=19200, timeout=5, retries=0)
+        self.serial = ModbusSerialClient(port, framer=FramerType.RTU, baudrate=19200, timeout=3, retries=0)
         test.assertTrue(self.serial.connect())
+        self.close = self.serial.close
 
     def read(self, register: str | int, count: int = 1) -> list[int]:
         address = register if isinstance(register, int) else holding(register)
@@ -132,7 +141,7 @@ class Load(Case):
             eventually(self, client.scans)
 
     def test_wrong_board_is_refused(self) -> None:
-        with Device("--board", "hx8k", CELL_SMALL, "--io", HX8K_MAP) as device:
+        with Device("--board", "hx8k", SMALL, "--io", HX8K_MAP) as device:
             text = self.rung(device, "load", PRESS, "--io", PRESS_MAP, *CLOCK, code=1)
             self.assertIn("error", text)
             eventually(self, self.client(device).scans)
@@ -153,13 +162,21 @@ class Power(Case):
     def test_program_and_latched_devices_survive(self) -> None:
         with cell() as device:
             client = self.client(device)
-            client.write(512, 1)  # D512 on is what an FX keeps; the program does not name it
+            client.write(600, 4711)  # D600 is one of those that an FX keeps
+            client.write(0, 4711)
+            saves = client.read("saves")
+            client.write("command", SAVE)
+            eventually(self, lambda: client.read("saves") != saves)
             device.tell("power off")
             since = device.tell("show")
             device.wait_for("power off", since)
-            device.tell("power on")
-            eventually(self, lambda: not self.client(device).serial.read_holding_registers(10).isError())
-            eventually(self, self.client(device).scans)
+            with self.assertRaises(ModbusIOException, msg="it has no power"):
+                client.serial.read_holding_registers(10)
+            since = device.tell("power on")
+            device.wait_for("RUN=1", since)
+            eventually(self, client.scans)
+            self.assertEqual(client.read(600), [4711])
+            self.assertEqual(client.read(0), [0])
 
 
 class Commands(Case):
@@ -193,7 +210,7 @@ class Commands(Case):
     def test_monitor_records_csv(self) -> None:
         file = self.scratch / "record.csv"
         self.rung(self.device, "monitor", "D10", "Y0", "--count", "5", "--interval", "20", "--csv", str(file))
-        rows = list(csv.reader(file.open()))
+        rows = list(csv.reader(file.read_text().splitlines()))
         self.assertEqual(rows[0], ["time", "D10", "Y0"])
         self.assertEqual(len(rows), 6)
         self.assertGreater(len({row[1] for row in rows[1:]}), 1)
@@ -210,9 +227,6 @@ class Commands(Case):
 
     def test_nobody_there(self) -> None:
         self.assertIn("error", self.rung(self.device, "info", "--unit", "77", "--timeout", "200", code=1))
-
-
-CELL_SMALL, HX8K_MAP = str(PROGRAMS / "small.il"), str(PROGRAMS / "small.toml")
 
 
 if __name__ == "__main__":

@@ -23,6 +23,7 @@ struct ControllerSetup {
   // Where the host line is met: at its pins, or (much shorter) as bytes behind the UART.
   enum class Line : std::uint8_t { Bits, Bytes };
   Line line = Line::Bits;
+  std::uint64_t clocks_per_ms = 250;
   // Of what registers and memories hold at power-up, and of what a power cut leaves in the flash.
   std::uint64_t seed = 1;
   // Times of the flash; none: those of a W25Q in simulated milliseconds.

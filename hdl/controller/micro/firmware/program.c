@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The program: load files in the flash's two copies, checked and loaded, at power-up and after a download.
+// The program: load files in the flash's two copies, checked and loaded, at power-up and after a
+// download.
 
 #define FILE_MAGIC 0x5250
 #define HEADER_MAGIC 0x5243
-#define HEADER_WORDS 16 // of a load file
+#define HEADER_WORDS 16  // of a load file
 #define SHORTEST_FILE (HEADER_WORDS + 1)
 #define FIRST_FORCE_ENTRIES 256
 
@@ -26,31 +27,32 @@
 #define DATA 2
 #define NOTHING 3
 
-// Stages of a commit: one a poll, or more of them for CHECK, so that requests are answered between them.
+// Stages of a commit: one a poll, or more of them for CHECK, so that requests are answered between
+// them.
 #define JOB_NONE 0
 #define JOB_CHECK 1
 #define JOB_STOP 2
 #define JOB_LOAD 3
 #define JOB_START 4
 
-#define CHECK_WORDS 16384 // words read in a poll
+#define CHECK_WORDS 16384  // words read in a poll
 
-u16 program[6]; // of the program that is loaded: generation, length, CRC, low words first
-u16 header[6];  // the same of the copy that was looked at last
-u16 load[4];    // registers load_length, load_crc
+u16 program[6];  // of the program that is loaded: generation, length, CRC, low words first
+u16 header[6];   // the same of the copy that was looked at last
+u16 load[4];     // registers load_length, load_crc
 u16 load_state;
-u16 erased[FLASH_COPY_SECTORS]; // sectors of the copy being written
+u16 erased[FLASH_COPY_SECTORS];  // sectors of the copy being written
 
 // The file being read: length and CRC as they should be, and where reading is.
 u16 file[4];
 u16 file_page;
 u16 at_low;
 u16 at_high;
-u16 loading; // else it is checked only
-u16 result;  // load_state so far, 0: nothing is wrong
+u16 loading;  // else it is checked only
+u16 result;   // load_state so far, 0: nothing is wrong
 u16 expects;
 u16 chunks;
-u16 left; // data words of the record
+u16 left;  // data words of the record
 u16 space;
 u16 address;
 u16 address_high;
@@ -84,15 +86,33 @@ static void header_word(u16 word) {
   u16 right;
   right = word;
   switch (at_low) {
-    case 1: right = FILE_MAGIC; break;
-    case 2: right = 1; break;
-    case 3: right = TABLES; break;
-    case 4: right = io_read(REG(CONFIG_ID)); break;
-    case 5: right = io_read(REG(BOARD_ID)); break;
-    case 6: right = io_read(REG(MPU)); break;
-    case 7: right = file[0]; break;
-    case 8: right = file[1]; break;
-    case 9: if (loading) retain_id = word; break;
+    case 1:
+      right = FILE_MAGIC;
+      break;
+    case 2:
+      right = 1;
+      break;
+    case 3:
+      right = TABLES;
+      break;
+    case 4:
+      right = io_read(REG(CONFIG_ID));
+      break;
+    case 5:
+      right = io_read(REG(BOARD_ID));
+      break;
+    case 6:
+      right = io_read(REG(MPU));
+      break;
+    case 7:
+      right = file[0];
+      break;
+    case 8:
+      right = file[1];
+      break;
+    case 9:
+      if (loading) retain_id = word;
+      break;
     case 11:
       chunks = word;
       if (!within(word, 1, 8)) result = LOAD_BAD_RECORD;
@@ -114,19 +134,37 @@ static void note(u16 word) {
       break;
     case SPACE_SETUP:
       switch (address) {
-        case SETUP_LATCH_COUNT: latch_count = word; break;
-        case SETUP_REFRESH_FIRST: refresh_first = word; break;
-        case SETUP_REFRESH_COUNT: refresh_count = word; break;
-        case SETUP_EXCHANGE_POINTS: exchange_points = word; break;
+        case SETUP_LATCH_COUNT:
+          latch_count = word;
+          break;
+        case SETUP_REFRESH_FIRST:
+          refresh_first = word;
+          break;
+        case SETUP_REFRESH_COUNT:
+          refresh_count = word;
+          break;
+        case SETUP_EXCHANGE_POINTS:
+          exchange_points = word;
+          break;
       }
       break;
-    case SPACE_KEEP: keep[address] = word; break;
+    case SPACE_KEEP:
+      keep[address] = word;
+      break;
     case SPACE_HOST:
       switch (address) {
-        case HOST_UNIT: unit = word; break;
-        case HOST_POLICY: policy = word; break;
-        case HOST_SAVE_SECONDS: save_seconds = word; break;
-        case HOST_RETAIN_ID: retain_id = word; break;
+        case HOST_UNIT:
+          unit = word;
+          break;
+        case HOST_POLICY:
+          policy = word;
+          break;
+        case HOST_SAVE_SECONDS:
+          save_seconds = word;
+          break;
+        case HOST_RETAIN_ID:
+          retain_id = word;
+          break;
         default:
           // baud, parity and silence stand in the same order in both
           if (within(address, HOST_BAUD_LOW, 5)) {
@@ -180,8 +218,11 @@ static void take_word(u16 word) {
       place();
       expects = DATA;
       break;
-    case DATA: data_word(word); break;
-    default: result = LOAD_BAD_RECORD;
+    case DATA:
+      data_word(word);
+      break;
+    default:
+      result = LOAD_BAD_RECORD;
   }
 }
 
@@ -370,8 +411,8 @@ static void boot(void) {
   io_write(REG(FAULT_SET), 0);
 }
 
-// Makes a copy whose file has been checked and loaded the program of the next power-up. 1: the flash does not
-// hold it.
+// Makes a copy whose file has been checked and loaded the program of the next power-up. 1: the
+// flash does not hold it.
 static u16 write_header(u16 of_copy) {
   u16 low;
   u16 high;
@@ -400,11 +441,12 @@ static u16 write_header(u16 of_copy) {
 static void load_failed(u16 state) {
   load_state = state;
   job = JOB_NONE;
-  if ((policy & STOP_AFTER_FAILURE) && scan_state() == RUNNING) io_write(REG(SCAN_COMMAND), SCAN_STOP);
+  if ((policy & STOP_AFTER_FAILURE) && scan_state() == RUNNING)
+    io_write(REG(SCAN_COMMAND), SCAN_STOP);
 }
 
-// Half way into another program: what the flash holds, which is the one before, or the new one if its header
-// was written after all.
+// Half way into another program: what the flash holds, which is the one before, or the new one if
+// its header was written after all.
 static void load_again(u16 state) {
   load_failed(state);
   boot();
@@ -449,8 +491,10 @@ static void advance_job(void) {
       job = JOB_START;
       wrong = load_file(copy ^ 1);
       if (!wrong && write_header(copy)) wrong = LOAD_FLASH_ERROR;
-      if (wrong) load_again(wrong);
-      else adopt_header();
+      if (wrong)
+        load_again(wrong);
+      else
+        adopt_header();
       break;
     default:
       restore();

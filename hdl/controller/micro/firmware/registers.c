@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The controller's holding registers, 0xE000 to 0xE151: those between them that the table does not have read 0
-// and cannot be written. Writes of a request are all checked before the first takes effect.
+// The controller's holding registers, 0xE000 to 0xE151: those between them that the table does not
+// have read 0 and cannot be written. Writes of a request are all checked before the first takes
+// effect.
 
 #define FIRST_HOLDING HOLDING_IDENTITY
 #define HOLDING_REGISTERS (HOLDING_WINDOW + HOLDING_WINDOW_COUNT - FIRST_HOLDING)
@@ -22,12 +23,13 @@
 
 u16 command;
 u16 load_command;
-u16 window[2]; // register window_offset
-u16 window_wanted[2]; // what it will be when the request is carried out
+u16 window[2];         // register window_offset
+u16 window_wanted[2];  // what it will be when the request is carried out
 u16 frames;
 u16 exceptions;
 
-// A word of the running program's file: n of the window. The first of a request sets out to read there.
+// A word of the running program's file: n of the window. The first of a request sets out to read
+// there.
 static u16 window_word(u16 n, u16 first) {
   u16 low;
   u16 high;
@@ -61,7 +63,8 @@ static u16 holding_read(u16 at, u16 first) {
   // Registers that stand in the same order on both sides
   if (within(at, HOLDING_INPUTS, 8)) return io_read(REG(INPUTS) - HOLDING_INPUTS + at);
   if (within(at, HOLDING_PROGRAM_GENERATION, 6)) return program[at - HOLDING_PROGRAM_GENERATION];
-  if (within(at, HOLDING_BAD_FRAMES, 3)) return io_read(REG(LINE_BAD_CRC) - HOLDING_BAD_FRAMES + at);
+  if (within(at, HOLDING_BAD_FRAMES, 3))
+    return io_read(REG(LINE_BAD_CRC) - HOLDING_BAD_FRAMES + at);
   if (within(at, HOLDING_BOARD, 3)) return io_read(REG(BOARD_ID) - HOLDING_BOARD + at);
   if (within(at, HOLDING_SCAN_COUNT, 9)) {
     at = REG(SCAN_COUNT_LOW) - HOLDING_SCAN_COUNT + at;
@@ -70,22 +73,38 @@ static u16 holding_read(u16 at, u16 first) {
     return io_read(at);
   }
   switch (at) {
-    case HOLDING_IDENTITY: return 0x5247;
-    case HOLDING_INTERFACE: return 1;
-    case HOLDING_TABLES: return TABLES;
-    case HOLDING_COMMAND: return command;
-    case HOLDING_STATE: return no_program ? 4 : scan_state();
-    case HOLDING_FAULT: return no_program ? no_program : io_read(REG(SCAN_STATUS)) >> 8;
-    case HOLDING_FLAGS: return flags();
-    case HOLDING_EXCHANGE_POINTS: return exchange_points;
-    case HOLDING_FRAMES: return frames;
-    case HOLDING_EXCEPTIONS: return exceptions;
-    case HOLDING_SAVES: return saves;
-    case HOLDING_FORCE_COUNT: return force_count;
-    case HOLDING_FORCE_POINT: return force_point;
-    case HOLDING_FORCE_VALUE: return force_value;
-    case HOLDING_LOAD_COMMAND: return load_command;
-    case HOLDING_LOAD_STATE: return load_state;
+    case HOLDING_IDENTITY:
+      return 0x5247;
+    case HOLDING_INTERFACE:
+      return 1;
+    case HOLDING_TABLES:
+      return TABLES;
+    case HOLDING_COMMAND:
+      return command;
+    case HOLDING_STATE:
+      return no_program ? 4 : scan_state();
+    case HOLDING_FAULT:
+      return no_program ? no_program : io_read(REG(SCAN_STATUS)) >> 8;
+    case HOLDING_FLAGS:
+      return flags();
+    case HOLDING_EXCHANGE_POINTS:
+      return exchange_points;
+    case HOLDING_FRAMES:
+      return frames;
+    case HOLDING_EXCEPTIONS:
+      return exceptions;
+    case HOLDING_SAVES:
+      return saves;
+    case HOLDING_FORCE_COUNT:
+      return force_count;
+    case HOLDING_FORCE_POINT:
+      return force_point;
+    case HOLDING_FORCE_VALUE:
+      return force_value;
+    case HOLDING_LOAD_COMMAND:
+      return load_command;
+    case HOLDING_LOAD_STATE:
+      return load_state;
   }
   return 0;
 }
@@ -127,13 +146,21 @@ static void do_command(u16 value) {
     case COMMAND_STOP:
       if (scan_state() != FAULT) stop();
       break;
-    case COMMAND_ONE: io_write(REG(SCAN_COMMAND), SCAN_ONE); break;
-    case COMMAND_CLEAR_STATISTICS: io_write(REG(SCAN_COMMAND), SCAN_CLEAR); break;
+    case COMMAND_ONE:
+      io_write(REG(SCAN_COMMAND), SCAN_ONE);
+      break;
+    case COMMAND_CLEAR_STATISTICS:
+      io_write(REG(SCAN_COMMAND), SCAN_CLEAR);
+      break;
     case COMMAND_LEAVE_FAULT:
       if (scan_state() == FAULT) io_write(REG(SCAN_COMMAND), SCAN_LEAVE_FAULT);
       break;
-    case COMMAND_SAVE: save_request = 2; break;
-    case COMMAND_RELEASE: release_all(); break;
+    case COMMAND_SAVE:
+      save_request = 2;
+      break;
+    case COMMAND_RELEASE:
+      release_all();
+      break;
     case COMMAND_CLEAR_KEPT:
       values(CLEAR);
       save_request = 1;
@@ -148,7 +175,8 @@ static u16 check_load(u16 value) {
   return 0;
 }
 
-// Words that a window at window_wanted has: 64, or less at the end of the file; 0: there can be none.
+// Words that a window at window_wanted has: 64, or less at the end of the file; 0: there can be
+// none.
 static u16 window_size(void) {
   u16 low;
   low = load[0] - window_wanted[0];
@@ -175,10 +203,15 @@ static u16 holding_check(u16 at, u16 value, u16 count) {
   }
   if (within(at, HOLDING_LOAD_LENGTH, 4)) return job ? FAILURE : 0;
   switch (at) {
-    case HOLDING_COMMAND: return check_command(value);
-    case HOLDING_FORCE_POINT: force_wanted = value; return 0;
-    case HOLDING_FORCE_VALUE: return check_force(value);
-    case HOLDING_LOAD_COMMAND: return check_load(value);
+    case HOLDING_COMMAND:
+      return check_command(value);
+    case HOLDING_FORCE_POINT:
+      force_wanted = value;
+      return 0;
+    case HOLDING_FORCE_VALUE:
+      return check_force(value);
+    case HOLDING_LOAD_COMMAND:
+      return check_load(value);
   }
   return ILLEGAL_ADDRESS;
 }
@@ -215,8 +248,12 @@ static u16 holding_write(u16 at, u16 value, u16 count) {
   if (at >= HOLDING_WINDOW_OFFSET) window[at - HOLDING_WINDOW_OFFSET] = value;
   if (within(at, HOLDING_LOAD_LENGTH, 4)) load[at - HOLDING_LOAD_LENGTH] = value;
   switch (at) {
-    case HOLDING_COMMAND: do_command(value); break;
-    case HOLDING_FORCE_POINT: force_point = value; break;
+    case HOLDING_COMMAND:
+      do_command(value);
+      break;
+    case HOLDING_FORCE_POINT:
+      force_point = value;
+      break;
     case HOLDING_FORCE_VALUE:
       force_value = value;
       force(value);
@@ -228,8 +265,12 @@ static u16 holding_write(u16 at, u16 value, u16 count) {
           begin_load();
           if (load_state != LOAD_UNDER_WAY) return FAILURE;
           break;
-        case LOAD_COMMIT: begin_commit(); break;
-        case LOAD_ABORT: load_state = LOAD_NONE; break;
+        case LOAD_COMMIT:
+          begin_commit();
+          break;
+        case LOAD_ABORT:
+          load_state = LOAD_NONE;
+          break;
       }
       break;
   }

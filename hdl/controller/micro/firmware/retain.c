@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// What outlives a power cut: devices of the ranges that `keep` marks, and PERSIST values, which are a range
-// of their own behind them. They are saved as a record in the ring behind the copies of the program:
+// What outlives a power cut: devices of the ranges that `keep` marks, and PERSIST values, which are
+// a range of their own behind them. They are saved as a record in the ring behind the copies of the
+// program:
 //
-//   retain_id, values (a range behind the other, bits 16 a word), sequence low, high, CRC-32 low, high
+//   retain_id, values (a range behind the other, bits 16 a word), sequence low, high, CRC-32 low,
+//   high
 //
-// in a slot that is a power of two of 64 bytes. The CRC is what is written last: a record torn by a power
-// cut is none. The ring is counted in units of 64 bytes.
+// in a slot that is a power of two of 64 bytes. The CRC is what is written last: a record torn by a
+// power cut is none. The ring is counted in units of 64 bytes.
 
 #define KEEP_RANGES 16
-#define KEEP_WORDS 68 // four words a range, and that of PERSIST
+#define KEEP_WORDS 68  // four words a range, and that of PERSIST
 #define KEEP_PERSIST 64
 #define KEEP_IS_WORDS 1
 #define KEEP_SAVED 2
@@ -16,11 +18,11 @@
 #define UNIT_BYTES 64
 #define RING_UNITS (FLASH_RING_SECTORS * (FLASH_SECTOR_BYTES / UNIT_BYTES))
 #define SECTOR_UNITS (FLASH_SECTOR_BYTES / UNIT_BYTES)
-#define RECORD_EXTRA 5 // words that are not values
+#define RECORD_EXTRA 5  // words that are not values
 #define NO_UNIT 0xFFFF
 
 #define FIRST_PERSIST_PORT 16
-#define MOST_KEPT 2048 // devices in a range
+#define MOST_KEPT 2048  // devices in a range
 
 // Most points of one raw exchange: what goes into the buffer as words.
 #define MOST_RAW 128
@@ -32,22 +34,23 @@
 #define CLEAR 3
 
 u16 keep[KEEP_WORDS];
-u16 value_count; // words saved
-u16 slot_units;  // size of a slot; 0: nothing is saved
-u16 next_unit;   // where the next record goes
-u16 newest_unit; // where the newest is
+u16 value_count;  // words saved
+u16 slot_units;   // size of a slot; 0: nothing is saved
+u16 next_unit;    // where the next record goes
+u16 newest_unit;  // where the newest is
 u16 sequence_low;
 u16 sequence_high;
-u16 saved_low; // CRC of the values saved last
+u16 saved_low;  // CRC of the values saved last
 u16 saved_high;
-u16 record_low; // of the record that was read last: its sequence, and the CRC of its values
+u16 record_low;  // of the record that was read last: its sequence, and the CRC of its values
 u16 record_high;
 u16 values_low;
 u16 values_high;
 u16 saves;
-u16 save_pause; // seconds until a PERSIST value that could not be saved is tried again
+u16 save_pause;  // seconds until a PERSIST value that could not be saved is tried again
 
-// Sizes from the ranges. What would be more than a sector is not saved: ranges that do not overlap never are.
+// Sizes from the ranges. What would be more than a sector is not saved: ranges that do not overlap
+// never are.
 static void lay_out(void) {
   u16 k;
   u16 bytes;
@@ -56,11 +59,13 @@ static void lay_out(void) {
   for (k = 0; k < KEEP_WORDS; k = k + 4) {
     if (keep[k + 2] > MOST_KEPT) return;
     if (keep[k] & KEEP_SAVED) {
-      value_count = value_count + ((keep[k] & KEEP_IS_WORDS) ? keep[k + 2] : (keep[k + 2] + 15) >> 4);
+      value_count =
+          value_count + ((keep[k] & KEEP_IS_WORDS) ? keep[k + 2] : (keep[k + 2] + 15) >> 4);
     }
   }
   // Bits are read 16 at a time.
-  if (value_count && value_count <= FLASH_SECTOR_BYTES / 2 - RECORD_EXTRA && exchange_points >= 16) {
+  if (value_count && value_count <= FLASH_SECTOR_BYTES / 2 - RECORD_EXTRA &&
+      exchange_points >= 16) {
     slot_units = 1;
     bytes = (value_count + RECORD_EXTRA) << 1;
     while (slot_units * UNIT_BYTES < bytes) slot_units = slot_units << 1;
@@ -111,8 +116,10 @@ static u16 values(u16 what) {
         word = io_read(from);
         from = from + 1;
         have = have - 1;
-        if (what == SAVE) flash_put_checked(word);
-        else crc_word(word);
+        if (what == SAVE)
+          flash_put_checked(word);
+        else
+          crc_word(word);
       }
     }
   }
@@ -151,9 +158,9 @@ static u16 blank_slot(u16 at) {
   return 1;
 }
 
-// Writes a record into the next slot; 1: it did not become whole. The slot is blank, or the first of a sector,
-// which is erased: the newest record is in a slot before it, thus in another sector, and a ring that has gone
-// round without getting any further ends there.
+// Writes a record into the next slot; 1: it did not become whole. The slot is blank, or the first
+// of a sector, which is erased: the newest record is in a slot before it, thus in another sector,
+// and a ring that has gone round without getting any further ends there.
 static u16 write_record(void) {
   u16 at;
   u16 low;
@@ -220,9 +227,8 @@ static void restore(void) {
   if (slot_units) {
     at = 0;
     do {
-      if (whole_record(at) &&
-          (record_high > sequence_high ||
-           (record_high == sequence_high && record_low >= sequence_low))) {
+      if (whole_record(at) && (record_high > sequence_high ||
+                               (record_high == sequence_high && record_low >= sequence_low))) {
         newest_unit = at;
         sequence_low = record_low;
         sequence_high = record_high;

@@ -10,6 +10,12 @@
 
 #define EXCHANGE_READ (MICRO_EXCHANGE_BUFFER + 128)
 
+// Of a request, and of an exchange: addresses become points.
+u16 write_first;
+u16 write_count;
+u16 read_first;
+u16 read_count;
+
 u16 wanted;  // find_area: the address; kind of its areas: 0 bits, 1 those of them that are coils, 2
              // words
 u16 wanted_kind;
@@ -68,12 +74,12 @@ static u16 exchange_waits(void) {
 
 // Points to write are at exchange_buffer, those read come to EXCHANGE_READ. 0, or 1: there was
 // none.
-static u16 exchange(u16 control, u16 to, u16 to_count, u16 from, u16 from_count) {
+static u16 exchange(u16 control) {
   if (scan_state() == FAULT || exchange_waits()) return 1;
-  io_write(REG(EXCHANGE_WRITE_FIRST), to);
-  io_write(REG(EXCHANGE_WRITE_COUNT), to_count);
-  io_write(REG(EXCHANGE_READ_FIRST), from);
-  io_write(REG(EXCHANGE_READ_COUNT), from_count);
+  io_write(REG(EXCHANGE_WRITE_FIRST), write_first);
+  io_write(REG(EXCHANGE_WRITE_COUNT), write_count);
+  io_write(REG(EXCHANGE_READ_FIRST), read_first);
+  io_write(REG(EXCHANGE_READ_COUNT), read_count);
   io_write(REG(EXCHANGE_CONTROL), control);
   return exchange_waits();
 }

@@ -104,6 +104,18 @@ static void flash_put_checked(u16 word) {
   flash_put(word);
 }
 
+// The CRC-32 of what was written, low word first, ends it.
+static void flash_put_crc(void) {
+  flash_put(io_read(REG(CRC_LOW)));
+  flash_put(io_read(REG(CRC_HIGH)));
+  flash_wait();
+}
+
+// 1: the CRC-32 of what was read follows it.
+static u16 crc_follows(void) {
+  return flash_word() == io_read(REG(CRC_LOW)) && flash_word() == io_read(REG(CRC_HIGH));
+}
+
 // The first page of a sector of the controller's part.
 static u16 sector_page(u16 sector) { return (sector + io_read(REG(FLASH_BASE))) * SECTOR_PAGES; }
 

@@ -18,11 +18,7 @@
 // The request: bytes 0 unit, 1 function, data from 2 on.
 u16 size;
 u16 function;
-u16 words;  // it is of words, else of bits
-u16 write_first;
-u16 write_count;
-u16 read_first;
-u16 read_count;
+u16 words;      // it is of words, else of bits
 u16 values_at;  // byte of the first value to write
 u16 tx_size;    // bytes of the answer so far
 
@@ -131,6 +127,7 @@ static u16 of_controller(u16 first, u16 count) {
 static u16 serve_controller(void) {
   u16 k;
   u16 wrong;
+  u16 really;
   if (write_count && !of_controller(write_first, write_count)) return ILLEGAL_ADDRESS;
   if (read_count && !of_controller(read_first, read_count)) return ILLEGAL_ADDRESS;
   if (write_count && write_first > HOLDING_WINDOW)
@@ -138,13 +135,11 @@ static u16 serve_controller(void) {
   window_wanted[0] = window[0];
   window_wanted[1] = window[1];
   force_wanted = force_point;
-  for (k = 0; k < write_count; k = k + 1) {
-    wrong = holding_check(write_first + k, written(k), write_count - k);
-    if (wrong) return wrong;
-  }
-  for (k = 0; k < write_count; k = k + 1) {
-    wrong = holding_write(write_first + k, written(k), write_count - k);
-    if (wrong) return wrong;
+  for (really = 0; really < 2; really = really + 1) {
+    for (k = 0; k < write_count; k = k + 1) {
+      wrong = holding_write(really, write_first + k, written(k), write_count - k);
+      if (wrong) return wrong;
+    }
   }
   if (read_count) {
     put(read_count << 1);
@@ -187,7 +182,7 @@ static u16 serve_devices(void) {
         io_write(MICRO_EXCHANGE_BUFFER + (k >> 1), word);
       }
   }
-  if (exchange(control, write_first, write_count, read_first, read_count)) return FAILURE;
+  if (exchange(control)) return FAILURE;
   if (read_count) {
     put(bytes_of(read_count));
     for (k = 0; k < bytes_of(read_count); k = k + 1) {

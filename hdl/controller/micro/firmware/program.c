@@ -345,16 +345,11 @@ static u16 length_fits(u16 low, u16 high) {
 // 1: the copy has a whole header, now in `header`.
 static u16 read_header(u16 of_copy) {
   u16 n;
-  u16 low;
-  u16 high;
   io_write(REG(CRC_CLEAR), 0);
   flash_at(FLASH_READ, sector_page(of_copy * FLASH_COPY_SECTORS), 0);
   if (checked_word() != HEADER_MAGIC) return 0;
   for (n = 0; n < 6; n = n + 1) header[n] = checked_word();
-  low = io_read(REG(CRC_LOW));
-  high = io_read(REG(CRC_HIGH));
-  if (flash_word() != low || flash_word() != high) return 0;
-  return length_fits(header[2], header[3]);
+  return crc_follows() && length_fits(header[2], header[3]);
 }
 
 // Loads a file that was checked, into a processor that is stopped. Else a load_state.
@@ -431,10 +426,7 @@ static u16 write_header(u16 of_copy) {
   flash_put_checked(low);
   flash_put_checked(high);
   for (n = 0; n < 4; n = n + 1) flash_put_checked(file[n]);
-  n = io_read(REG(CRC_LOW));
-  flash_put(n);
-  flash_put(io_read(REG(CRC_HIGH)));
-  flash_wait();
+  flash_put_crc();
   return !read_header(of_copy) || header[0] != low || header[1] != high;
 }
 

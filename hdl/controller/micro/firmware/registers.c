@@ -115,22 +115,21 @@ static u16 check_command(u16 value) {
   if (!within(value, 1, 8)) return ILLEGAL_VALUE;
   if (job) return FAILURE;
   switch (value) {
+    case COMMAND_STOP:
+    case COMMAND_CLEAR_STATISTICS:
+    case COMMAND_RELEASE:
+      return 0;
     case COMMAND_RUN:
-      if (no_program || !(status & SCAN_SWITCH) || (status & 3) == FAULT) return FAILURE;
+      if ((status & 3) == FAULT || !(status & SCAN_SWITCH)) return FAILURE;
       break;
     case COMMAND_ONE:
       if (!(status & SCAN_SWITCH)) return FAILURE;
-      if (no_program || !(status & SCAN_IDLE)) return FAILURE;
-      break;
+      // fall through
     case COMMAND_CLEAR_KEPT:
-      if (no_program || !(status & SCAN_IDLE)) return FAILURE;
-      break;
-    case COMMAND_LEAVE_FAULT:
-    case COMMAND_SAVE:
-      if (no_program) return FAILURE;
+      if (!(status & SCAN_IDLE)) return FAILURE;
       break;
   }
-  return 0;
+  return no_program ? FAILURE : 0;
 }
 
 static void do_command(u16 value) {
@@ -175,6 +174,21 @@ static u16 check_load(u16 value) {
   return 0;
 }
 
+static u16 do_load(u16 value) {
+  load_command = value;
+  switch (value) {
+    case LOAD_BEGIN:
+      begin_load();
+      return load_state == LOAD_UNDER_WAY ? 0 : FAILURE;
+    case LOAD_COMMIT:
+      begin_commit();
+      break;
+    default:
+      load_state = LOAD_NONE;
+  }
+  return 0;
+}
+
 // Words that a window at window_wanted has: 64, or less at the end of the file; 0: there can be
 // none.
 static u16 window_size(void) {
@@ -190,35 +204,10 @@ static u16 window_size(void) {
   return low < HOLDING_WINDOW_COUNT ? low : HOLDING_WINDOW_COUNT;
 }
 
-// 0 or the exception of a write; `count` registers are written from this one on.
-static u16 holding_check(u16 at, u16 value, u16 count) {
-  if (at >= HOLDING_WINDOW) {
-    if (job || load_state != LOAD_UNDER_WAY) return FAILURE;
-    // The words behind the first belong to it.
-    return at > HOLDING_WINDOW || count == window_size() ? 0 : ILLEGAL_VALUE;
-  }
-  if (at >= HOLDING_WINDOW_OFFSET) {
-    window_wanted[at - HOLDING_WINDOW_OFFSET] = value;
-    return 0;
-  }
-  if (within(at, HOLDING_LOAD_LENGTH, 4)) return job ? FAILURE : 0;
-  switch (at) {
-    case HOLDING_COMMAND:
-      return check_command(value);
-    case HOLDING_FORCE_POINT:
-      force_wanted = value;
-      return 0;
-    case HOLDING_FORCE_VALUE:
-      return check_force(value);
-    case HOLDING_LOAD_COMMAND:
-      return check_load(value);
-  }
-  return ILLEGAL_ADDRESS;
-}
-
 // The sector that the window lies in is erased when the first window of it comes.
 static void window_begin(void) {
   u16 sector;
+  flash_failed = 0;
   sector = (window[1] << 5 | window[0] >> 11) + 1;
   if (!erased[sector]) {
     flash_erase(sector_page((copy ^ 1) * FLASH_COPY_SECTORS + sector));
@@ -228,13 +217,16 @@ static void window_begin(void) {
   flash_write_at(file_page + (window[1] << 9) + (window[0] >> 7), (window[0] & 127) << 1);
 }
 
-// As checked. 0 or an exception.
-static u16 holding_write(u16 at, u16 value, u16 count) {
+// Checks a write, or `really` carries out what was checked; `count` registers are written from this
+// one on. 0 or an exception.
+static u16 holding_write(u16 really, u16 at, u16 value, u16 count) {
   if (at >= HOLDING_WINDOW) {
-    if (at == HOLDING_WINDOW) {
-      flash_failed = 0;
-      window_begin();
+    if (!really) {
+      if (job || load_state != LOAD_UNDER_WAY) return FAILURE;
+      // The words behind the first belong to it.
+      return at > HOLDING_WINDOW || count == window_size() ? 0 : ILLEGAL_VALUE;
     }
+    if (at == HOLDING_WINDOW) window_begin();
     flash_put(value);
     if (count == 1) {
       flash_wait();
@@ -245,34 +237,34 @@ static u16 holding_write(u16 at, u16 value, u16 count) {
     }
     return 0;
   }
-  if (at >= HOLDING_WINDOW_OFFSET) window[at - HOLDING_WINDOW_OFFSET] = value;
-  if (within(at, HOLDING_LOAD_LENGTH, 4)) load[at - HOLDING_LOAD_LENGTH] = value;
+  if (at >= HOLDING_WINDOW_OFFSET) {
+    at = at - HOLDING_WINDOW_OFFSET;
+    window_wanted[at] = value;
+    if (really) window[at] = value;
+    return 0;
+  }
+  if (within(at, HOLDING_LOAD_LENGTH, 4)) {
+    if (job) return FAILURE;
+    if (really) load[at - HOLDING_LOAD_LENGTH] = value;
+    return 0;
+  }
   switch (at) {
     case HOLDING_COMMAND:
+      if (!really) return check_command(value);
       do_command(value);
-      break;
+      return 0;
     case HOLDING_FORCE_POINT:
-      force_point = value;
-      break;
+      force_wanted = value;
+      if (really) force_point = value;
+      return 0;
     case HOLDING_FORCE_VALUE:
+      if (!really) return check_force(value);
       force_value = value;
       force(value);
-      break;
+      return 0;
     case HOLDING_LOAD_COMMAND:
-      load_command = value;
-      switch (value) {
-        case LOAD_BEGIN:
-          begin_load();
-          if (load_state != LOAD_UNDER_WAY) return FAILURE;
-          break;
-        case LOAD_COMMIT:
-          begin_commit();
-          break;
-        case LOAD_ABORT:
-          load_state = LOAD_NONE;
-          break;
-      }
-      break;
+      if (!really) return check_load(value);
+      return do_load(value);
   }
-  return 0;
+  return ILLEGAL_ADDRESS;
 }

@@ -76,7 +76,6 @@ static void lay_out(void) {
 static u16 values(u16 what) {
   u16 k;
   u16 is_words;
-  u16 device;
   u16 left;
   u16 count;
   u16 have;
@@ -84,12 +83,12 @@ static u16 values(u16 what) {
   u16 word;
   for (k = 0; k < KEEP_WORDS; k = k + 4) {
     is_words = keep[k] & KEEP_IS_WORDS;
-    device = keep[k + 1];
+    read_first = keep[k + 1];
     left = keep[k + 2];
     if (what != CLEAR && !(keep[k] & KEEP_SAVED)) continue;
     if (what >= RESTORE) {
       io_write(REG(LOAD_SPACE), is_words ? SPACE_WORDS : SPACE_BITS);
-      io_write(REG(LOAD_ADDRESS), device);
+      io_write(REG(LOAD_ADDRESS), read_first);
     }
     have = 0;
     while (left) {
@@ -108,8 +107,9 @@ static u16 values(u16 what) {
           have = exchange_points & 0xFFF0;
           if (have > MOST_RAW) have = MOST_RAW;
           if (have > left + count) have = left + count;
-          if (exchange(is_words ? READ + RAW + WORDS : READ + RAW, 0, 0, device, have)) return 1;
-          device = device + have;
+          read_count = have;
+          if (exchange(is_words ? READ + RAW + WORDS : READ + RAW)) return 1;
+          read_first = read_first + have;
           if (!is_words) have = (have + 15) >> 4;
           from = EXCHANGE_READ;
         }
@@ -133,8 +133,6 @@ static void ring_open(u16 at) { flash_at(FLASH_READ, ring_page(at), (at & 3) << 
 // Reads the record of the slot at a unit. 1: it is whole, and of this program.
 static u16 whole_record(u16 at) {
   u16 n;
-  u16 low;
-  u16 high;
   io_write(REG(CRC_CLEAR), 0);
   ring_open(at);
   if (checked_word() != retain_id) return 0;
@@ -143,10 +141,7 @@ static u16 whole_record(u16 at) {
   values_high = io_read(REG(CRC_HIGH));
   record_low = checked_word();
   record_high = checked_word();
-  low = io_read(REG(CRC_LOW));
-  high = io_read(REG(CRC_HIGH));
-  if (flash_word() != low) return 0;
-  return flash_word() == high;
+  return crc_follows();
 }
 
 static u16 blank_slot(u16 at) {
@@ -185,10 +180,7 @@ static u16 write_record(void) {
   }
   flash_put_checked(sequence_low);
   flash_put_checked(sequence_high);
-  low = io_read(REG(CRC_LOW));
-  flash_put(low);
-  flash_put(io_read(REG(CRC_HIGH)));
-  flash_wait();
+  flash_put_crc();
   if (!whole_record(at)) return 1;
   newest_unit = at;
   saved_low = values_low;

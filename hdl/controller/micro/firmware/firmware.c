@@ -86,6 +86,7 @@ static u16 milliseconds_since(u16 start) {
 #include "flash.c"
 #include "devices.c"
 #include "retain.c"
+#include "load_file.c"
 #include "program.c"
 #include "force.c"
 #include "registers.c"

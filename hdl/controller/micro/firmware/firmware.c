@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The controller's firmware: what its micro-sequencer runs (README.md). The compiler's C subset: every
-// value is a u16, globals are 0 at reset, no arrays but global ones, no pointers, no recursion. The order of
-// the files is such that everything is defined before its use.
+// The controller's firmware: what its micro-sequencer runs (README.md). The compiler's C subset:
+// every value is a u16, globals are 0 at reset, no arrays but global ones, no pointers, no
+// recursion. The order of the files is such that everything is defined before its use.
 //
 // RUNG_CONFIG names the configuration (configs.toml), which decides the device map.
 #include "rung_controller.h"
@@ -40,8 +40,8 @@ typedef unsigned short u16;
 #define STOP_AFTER_FAILURE 1
 #define STOP_AFTER_POWER_UP 2
 
-// No loop waits longer than this for a scan to end: a program with a minimum period of more than a minute
-// has no host.
+// No loop waits longer than this for a scan to end: a program with a minimum period of more than a
+// minute has no host.
 #define PATIENCE_MS 60000
 
 #ifndef RUNG_NATIVE
@@ -55,17 +55,17 @@ u16 latch_count;
 u16 refresh_first;
 u16 refresh_count;
 u16 unit;
-u16 policy; // bits of the two that follow
+u16 policy;  // bits of the two that follow
 u16 save_seconds;
 u16 retain_id;
-u16 no_program; // 0: there is one; else the fault that register `fault` shows
-u16 copy;       // of the flash, that runs
+u16 no_program;  // 0: there is one; else the fault that register `fault` shows
+u16 copy;        // of the flash, that runs
 
-u16 restored;     // latched devices are
-u16 save_request; // 1 if changed, 2 in any case
-u16 job;          // stage of a commit, see program.c
+u16 restored;      // latched devices are
+u16 save_request;  // 1 if changed, 2 in any case
+u16 job;           // stage of a commit, see program.c
 
-u16 force_list[HOLDING_FORCE_LIST_COUNT]; // as register force_list
+u16 force_list[HOLDING_FORCE_LIST_COUNT];  // as register force_list
 u16 force_count;
 
 // a is one of `count` numbers from `first` on.
@@ -78,24 +78,22 @@ static u16 milliseconds_since(u16 start) {
   return start;
 }
 
+// Each of them uses those before it.
+// clang-format off
 #include "flash.c"
-
 #include "devices.c"
-
 #include "retain.c"
-
+#include "load_file.c"
 #include "program.c"
-
 #include "force.c"
-
 #include "registers.c"
-
 #include "modbus.c"
+// clang-format on
 
-u16 second_at; // milliseconds at the last whole second
-u16 seconds;   // since the last saving
+u16 second_at;  // milliseconds at the last whole second
+u16 seconds;    // since the last saving
 u16 was_running;
-u16 was_on; // the RUN switch
+u16 was_on;  // the RUN switch
 
 void firmware_reset(void) {
   flash_wake();
@@ -134,14 +132,18 @@ static void watch(void) {
     save_request = 0;
   }
   if ((io_read(REG(KEEP_STATUS)) & 1) && !save_pause) {
-    if (save(1)) save_pause = 2;
-    else io_write(REG(KEEP_DONE), 1);
+    if (save(1))
+      save_pause = 2;
+    else
+      io_write(REG(KEEP_DONE), 1);
   }
 }
 
 void firmware_poll(void) {
   // A frame waits and nothing is being sent.
   if ((io_read(REG(LINE_STATUS)) & 3) == 1) serve();
-  if (job) advance_job();
-  else watch();
+  if (job)
+    advance_job();
+  else
+    watch();
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The flash: SPI NOR with the commands that all of them have. A place is a page of 256 bytes (the upper 16 of
-// an address' 24 bits) and a byte in it. Every wait is bounded: what the flash does not do in time, or does
-// wrong, is an error that the caller sees or a wrong CRC.
+// The flash: SPI NOR with the commands that all of them have. A place is a page of 256 bytes (the
+// upper 16 of an address' 24 bits) and a byte in it. Every wait is bounded: what the flash does not
+// do in time, or does wrong, is an error that the caller sees or a wrong CRC.
 
 #define FLASH_WRITE_ENABLE 0x06
 #define FLASH_STATUS 0x05
@@ -15,9 +15,9 @@
 // The longest sector erase that data sheets allow is 400 ms.
 #define FLASH_PATIENCE_MS 900
 
-u16 write_page; // where flash_put goes on
+u16 write_page;  // where flash_put goes on
 u16 write_byte;
-u16 flash_failed; // since it was last cleared
+u16 flash_failed;  // since it was last cleared
 
 static u16 flash_byte(u16 byte) {
   io_write(REG(FLASH_DATA), byte);
@@ -74,7 +74,8 @@ static void flash_write_at(u16 page, u16 byte) {
   flash_at(FLASH_PROGRAM, page, byte);
 }
 
-// A word behind flash_write_at; flash_wait ends it. Pages are crossed, erased sectors not looked after.
+// A word behind flash_write_at; flash_wait ends it. Pages are crossed, erased sectors not looked
+// after.
 static void flash_put(u16 word) {
   if (write_byte == FLASH_PAGE_BYTES) {
     flash_wait();
@@ -103,10 +104,20 @@ static void flash_put_checked(u16 word) {
   flash_put(word);
 }
 
-// The first page of a sector of the controller's part.
-static u16 sector_page(u16 sector) {
-  return (sector + io_read(REG(FLASH_BASE))) * SECTOR_PAGES;
+// The CRC-32 of what was written, low word first, ends it.
+static void flash_put_crc(void) {
+  flash_put(io_read(REG(CRC_LOW)));
+  flash_put(io_read(REG(CRC_HIGH)));
+  flash_wait();
 }
+
+// 1: the CRC-32 of what was read follows it.
+static u16 crc_follows(void) {
+  return flash_word() == io_read(REG(CRC_LOW)) && flash_word() == io_read(REG(CRC_HIGH));
+}
+
+// The first page of a sector of the controller's part.
+static u16 sector_page(u16 sector) { return (sector + io_read(REG(FLASH_BASE))) * SECTOR_PAGES; }
 
 // Power may have come back while the flash was asleep, or at work.
 static void flash_wake(void) {

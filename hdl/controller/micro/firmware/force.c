@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Forces: a Modbus point to its entry of the io list, by way of the load file in the flash, as the list
-// cannot be read and there is no memory for another one.
+// Forces: a Modbus point to its entry of the io list, by way of the load file in the flash, as the
+// list cannot be read and there is no memory for another one.
 
 #define FIRST_OUTPUT 0x3300
 #define FIRST_INPUT 0x3400
@@ -9,15 +9,15 @@
 #define RELEASE 2
 #define NONE 0xFFFF
 
-u16 force_point; // registers
+u16 force_point;  // registers
 u16 force_value;
-u16 force_wanted; // the point that a request's force_value will mean
-u16 force_entry;  // its entry
-u16 entries_first; // entries that count
+u16 force_wanted;   // the point that a request's force_value will mean
+u16 force_entry;    // its entry
+u16 entries_first;  // entries that count
 u16 entries_count;
 
-// In records of a space of the program's file: in the bit map the device of a point, in the io list the entry of
-// a bit device. NONE: there is none.
+// In records of a space of the program's file: in the bit map the device of a point, in the io list
+// the entry of a bit device. NONE: there is none.
 static u16 find_record(u16 in_space, u16 what) {
   u16 word;
   u16 hit;

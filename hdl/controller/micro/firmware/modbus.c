@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The Modbus RTU server: MODBUS Application Protocol Specification V1.1b3. Checks in the standard's order:
-// function, quantity and length, address, execution.
+// The Modbus RTU server: MODBUS Application Protocol Specification V1.1b3. Checks in the standard's
+// order: function, quantity and length, address, execution.
 
 #define READ_COILS 1
 #define READ_INPUTS 2
@@ -18,13 +18,9 @@
 // The request: bytes 0 unit, 1 function, data from 2 on.
 u16 size;
 u16 function;
-u16 words; // it is of words, else of bits
-u16 write_first;
-u16 write_count;
-u16 read_first;
-u16 read_count;
-u16 values_at; // byte of the first value to write
-u16 tx_size;   // bytes of the answer so far
+u16 words;      // it is of words, else of bits
+u16 values_at;  // byte of the first value to write
+u16 tx_size;    // bytes of the answer so far
 
 static u16 rx(u16 at) { return io_read(MICRO_RX_FRAME + at); }
 
@@ -55,7 +51,8 @@ static u16 bytes_of(u16 count) { return words ? count << 1 : (count + 7) >> 3; }
 static u16 parse(void) {
   u16 most_read;
   u16 most_written;
-  words = function != READ_COILS && function != READ_INPUTS && function != WRITE_COIL && function != WRITE_COILS;
+  words = function != READ_COILS && function != READ_INPUTS && function != WRITE_COIL &&
+          function != WRITE_COILS;
   most_read = 0;
   most_written = 0;
   write_first = rx_word(2);
@@ -65,22 +62,36 @@ static u16 parse(void) {
   // `most` is 0 where there is no quantity.
   switch (function) {
     case READ_COILS:
-    case READ_INPUTS: most_read = 2000; break;
+    case READ_INPUTS:
+      most_read = 2000;
+      break;
     case READ_HOLDING:
-    case READ_REGISTERS: most_read = 125; break;
+    case READ_REGISTERS:
+      most_read = 125;
+      break;
     case WRITE_COIL:
       if (rx(5) || (rx(4) && rx(4) != 255)) return ILLEGAL_VALUE;
       break;
-    case WRITE_REGISTER: break;
-    case WRITE_COILS: most_written = 1968; values_at = 7; break;
-    case WRITE_REGISTERS: most_written = 123; values_at = 7; break;
-    case MASK_WRITE: values_at = 6; break;
+    case WRITE_REGISTER:
+      break;
+    case WRITE_COILS:
+      most_written = 1968;
+      values_at = 7;
+      break;
+    case WRITE_REGISTERS:
+      most_written = 123;
+      values_at = 7;
+      break;
+    case MASK_WRITE:
+      values_at = 6;
+      break;
     case READ_WRITE:
       most_read = 125;
       most_written = 121;
       values_at = 11;
       break;
-    default: return ILLEGAL_FUNCTION;
+    default:
+      return ILLEGAL_FUNCTION;
   }
   if (size < values_at) return ILLEGAL_VALUE;
   if (most_read) {
@@ -96,7 +107,7 @@ static u16 parse(void) {
     most_written = bytes_of(write_count);
     if (rx(values_at - 1) != most_written) return ILLEGAL_VALUE;
   } else {
-    most_written = 2; // the quantity of a read, the value of a write
+    most_written = 2;  // the quantity of a read, the value of a write
   }
   return size == values_at + most_written ? 0 : ILLEGAL_VALUE;
 }
@@ -116,19 +127,19 @@ static u16 of_controller(u16 first, u16 count) {
 static u16 serve_controller(void) {
   u16 k;
   u16 wrong;
+  u16 really;
   if (write_count && !of_controller(write_first, write_count)) return ILLEGAL_ADDRESS;
   if (read_count && !of_controller(read_first, read_count)) return ILLEGAL_ADDRESS;
-  if (write_count && write_first > HOLDING_WINDOW) return ILLEGAL_VALUE; // only from its first word on
+  if (write_count && write_first > HOLDING_WINDOW)
+    return ILLEGAL_VALUE;  // only from its first word on
   window_wanted[0] = window[0];
   window_wanted[1] = window[1];
   force_wanted = force_point;
-  for (k = 0; k < write_count; k = k + 1) {
-    wrong = holding_check(write_first + k, written(k), write_count - k);
-    if (wrong) return wrong;
-  }
-  for (k = 0; k < write_count; k = k + 1) {
-    wrong = holding_write(write_first + k, written(k), write_count - k);
-    if (wrong) return wrong;
+  for (really = 0; really < 2; really = really + 1) {
+    for (k = 0; k < write_count; k = k + 1) {
+      wrong = holding_write(really, write_first + k, written(k), write_count - k);
+      if (wrong) return wrong;
+    }
   }
   if (read_count) {
     put(read_count << 1);
@@ -155,21 +166,16 @@ static u16 serve_devices(void) {
     control = control | READ;
   }
   if (write_count + read_count > exchange_points) return no_program ? FAILURE : ILLEGAL_VALUE;
-  switch (function) {
-    case WRITE_COIL: io_write(MICRO_EXCHANGE_BUFFER, rx(4) & 1); break;
-    case MASK_WRITE:
-      io_write(REG(EXCHANGE_AND), rx_word(4));
-      io_write(REG(EXCHANGE_OR), rx_word(6));
-      control = WORDS | MASK | WRITE;
-      break;
-    default:
-      for (k = 0; k < bytes_of(write_count); k = k + 2) {
-        word = rx_word(values_at + k);
-        if (!words) word = word << 8 | word >> 8;
-        io_write(MICRO_EXCHANGE_BUFFER + (k >> 1), word);
-      }
+  if (function == MASK_WRITE) control = control | MASK;
+  io_write(REG(EXCHANGE_AND), rx_word(4));
+  io_write(REG(EXCHANGE_OR), rx_word(6));
+  // Bits are in the buffer with the lowest byte first; the 0xFF00 of one coil becomes 1 so, too.
+  for (k = 0; k < bytes_of(write_count); k = k + 2) {
+    word = rx_word(values_at + k);
+    if (!words) word = word << 8 | word >> 8;
+    io_write(MICRO_EXCHANGE_BUFFER + (k >> 1), word);
   }
-  if (exchange(control, write_first, write_count, read_first, read_count)) return FAILURE;
+  if (exchange(control)) return FAILURE;
   if (read_count) {
     put(bytes_of(read_count));
     for (k = 0; k < bytes_of(read_count); k = k + 1) {
@@ -215,16 +221,28 @@ static void put_object(u16 object) {
   put(0);
   switch (object) {
     case 0:
-      put('R'); put('u'); put('n'); put('g');
+      put('R');
+      put('u');
+      put('n');
+      put('g');
       break;
-    case 1: // board 1 mpu 3
-      put('b'); put('o'); put('a'); put('r'); put('d'); put(' ');
+    case 1:  // board 1 mpu 3
+      put('b');
+      put('o');
+      put('a');
+      put('r');
+      put('d');
+      put(' ');
       put_number(io_read(REG(BOARD_ID)));
-      put(' '); put('m'); put('p'); put('u'); put(' ');
+      put(' ');
+      put('m');
+      put('p');
+      put('u');
+      put(' ');
       put_number(io_read(REG(MPU)));
       break;
     default:
-      put('1'); // version of the registers' map
+      put('1');  // version of the registers' map
   }
   io_write(MICRO_TX_FRAME + length_at, tx_size - length_at - 1);
 }
@@ -244,8 +262,8 @@ static u16 identify(void) {
   }
   put(14);
   put(rx(3));
-  put(0x81); // conformity: basic objects, as a stream and one by one
-  put_word(0); // nothing follows
+  put(0x81);    // conformity: basic objects, as a stream and one by one
+  put_word(0);  // nothing follows
   if (rx(3) == 4) {
     put(1);
     put_object(object);

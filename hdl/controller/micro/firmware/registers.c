@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The controller's holding registers, 0xE000 to 0xE151: those between them that the table does not have read 0
-// and cannot be written. Writes of a request are all checked before the first takes effect.
+// The controller's holding registers, 0xE000 to 0xE151: those between them that the table does not
+// have read 0 and cannot be written. Writes of a request are all checked before the first takes
+// effect.
 
 #define FIRST_HOLDING HOLDING_IDENTITY
 #define HOLDING_REGISTERS (HOLDING_WINDOW + HOLDING_WINDOW_COUNT - FIRST_HOLDING)
@@ -22,12 +23,13 @@
 
 u16 command;
 u16 load_command;
-u16 window[2]; // register window_offset
-u16 window_wanted[2]; // what it will be when the request is carried out
+u16 window[2];         // register window_offset
+u16 window_wanted[2];  // what it will be when the request is carried out
 u16 frames;
 u16 exceptions;
 
-// A word of the running program's file: n of the window. The first of a request sets out to read there.
+// A word of the running program's file: n of the window. The first of a request sets out to read
+// there.
 static u16 window_word(u16 n, u16 first) {
   u16 low;
   u16 high;
@@ -61,7 +63,8 @@ static u16 holding_read(u16 at, u16 first) {
   // Registers that stand in the same order on both sides
   if (within(at, HOLDING_INPUTS, 8)) return io_read(REG(INPUTS) - HOLDING_INPUTS + at);
   if (within(at, HOLDING_PROGRAM_GENERATION, 6)) return program[at - HOLDING_PROGRAM_GENERATION];
-  if (within(at, HOLDING_BAD_FRAMES, 3)) return io_read(REG(LINE_BAD_CRC) - HOLDING_BAD_FRAMES + at);
+  if (within(at, HOLDING_BAD_FRAMES, 3))
+    return io_read(REG(LINE_BAD_CRC) - HOLDING_BAD_FRAMES + at);
   if (within(at, HOLDING_BOARD, 3)) return io_read(REG(BOARD_ID) - HOLDING_BOARD + at);
   if (within(at, HOLDING_SCAN_COUNT, 9)) {
     at = REG(SCAN_COUNT_LOW) - HOLDING_SCAN_COUNT + at;
@@ -70,22 +73,38 @@ static u16 holding_read(u16 at, u16 first) {
     return io_read(at);
   }
   switch (at) {
-    case HOLDING_IDENTITY: return 0x5247;
-    case HOLDING_INTERFACE: return 1;
-    case HOLDING_TABLES: return TABLES;
-    case HOLDING_COMMAND: return command;
-    case HOLDING_STATE: return no_program ? 4 : scan_state();
-    case HOLDING_FAULT: return no_program ? no_program : io_read(REG(SCAN_STATUS)) >> 8;
-    case HOLDING_FLAGS: return flags();
-    case HOLDING_EXCHANGE_POINTS: return exchange_points;
-    case HOLDING_FRAMES: return frames;
-    case HOLDING_EXCEPTIONS: return exceptions;
-    case HOLDING_SAVES: return saves;
-    case HOLDING_FORCE_COUNT: return force_count;
-    case HOLDING_FORCE_POINT: return force_point;
-    case HOLDING_FORCE_VALUE: return force_value;
-    case HOLDING_LOAD_COMMAND: return load_command;
-    case HOLDING_LOAD_STATE: return load_state;
+    case HOLDING_IDENTITY:
+      return 0x5247;
+    case HOLDING_INTERFACE:
+      return 1;
+    case HOLDING_TABLES:
+      return TABLES;
+    case HOLDING_COMMAND:
+      return command;
+    case HOLDING_STATE:
+      return no_program ? 4 : scan_state();
+    case HOLDING_FAULT:
+      return no_program ? no_program : io_read(REG(SCAN_STATUS)) >> 8;
+    case HOLDING_FLAGS:
+      return flags();
+    case HOLDING_EXCHANGE_POINTS:
+      return exchange_points;
+    case HOLDING_FRAMES:
+      return frames;
+    case HOLDING_EXCEPTIONS:
+      return exceptions;
+    case HOLDING_SAVES:
+      return saves;
+    case HOLDING_FORCE_COUNT:
+      return force_count;
+    case HOLDING_FORCE_POINT:
+      return force_point;
+    case HOLDING_FORCE_VALUE:
+      return force_value;
+    case HOLDING_LOAD_COMMAND:
+      return load_command;
+    case HOLDING_LOAD_STATE:
+      return load_state;
   }
   return 0;
 }
@@ -96,22 +115,21 @@ static u16 check_command(u16 value) {
   if (!within(value, 1, 8)) return ILLEGAL_VALUE;
   if (job) return FAILURE;
   switch (value) {
+    case COMMAND_STOP:
+    case COMMAND_CLEAR_STATISTICS:
+    case COMMAND_RELEASE:
+      return 0;
     case COMMAND_RUN:
-      if (no_program || !(status & SCAN_SWITCH) || (status & 3) == FAULT) return FAILURE;
+      if ((status & 3) == FAULT || !(status & SCAN_SWITCH)) return FAILURE;
       break;
     case COMMAND_ONE:
       if (!(status & SCAN_SWITCH)) return FAILURE;
-      if (no_program || !(status & SCAN_IDLE)) return FAILURE;
-      break;
+      // fall through
     case COMMAND_CLEAR_KEPT:
-      if (no_program || !(status & SCAN_IDLE)) return FAILURE;
-      break;
-    case COMMAND_LEAVE_FAULT:
-    case COMMAND_SAVE:
-      if (no_program) return FAILURE;
+      if (!(status & SCAN_IDLE)) return FAILURE;
       break;
   }
-  return 0;
+  return no_program ? FAILURE : 0;
 }
 
 static void do_command(u16 value) {
@@ -127,13 +145,21 @@ static void do_command(u16 value) {
     case COMMAND_STOP:
       if (scan_state() != FAULT) stop();
       break;
-    case COMMAND_ONE: io_write(REG(SCAN_COMMAND), SCAN_ONE); break;
-    case COMMAND_CLEAR_STATISTICS: io_write(REG(SCAN_COMMAND), SCAN_CLEAR); break;
+    case COMMAND_ONE:
+      io_write(REG(SCAN_COMMAND), SCAN_ONE);
+      break;
+    case COMMAND_CLEAR_STATISTICS:
+      io_write(REG(SCAN_COMMAND), SCAN_CLEAR);
+      break;
     case COMMAND_LEAVE_FAULT:
       if (scan_state() == FAULT) io_write(REG(SCAN_COMMAND), SCAN_LEAVE_FAULT);
       break;
-    case COMMAND_SAVE: save_request = 2; break;
-    case COMMAND_RELEASE: release_all(); break;
+    case COMMAND_SAVE:
+      save_request = 2;
+      break;
+    case COMMAND_RELEASE:
+      release_all();
+      break;
     case COMMAND_CLEAR_KEPT:
       values(CLEAR);
       save_request = 1;
@@ -148,44 +174,40 @@ static u16 check_load(u16 value) {
   return 0;
 }
 
-// Words that a window at window_wanted has: 64, or less at the end of the file; 0: there can be none.
-static u16 window_size(void) {
-  u16 low;
-  low = load[0] - window_wanted[0];
-  if (!length_fits(load[0], load[1])) return 0;
-  if ((window_wanted[0] & (HOLDING_WINDOW_COUNT - 1)) || window_wanted[1] > load[1]) return 0;
-  if (window_wanted[1] == load[1]) {
-    if (window_wanted[0] >= load[0]) return 0;
-  } else if (window_wanted[1] + 1 != load[1] || low <= load[0]) {
-    return HOLDING_WINDOW_COUNT;
+static u16 do_load(u16 value) {
+  load_command = value;
+  switch (value) {
+    case LOAD_BEGIN:
+      begin_load();
+      return load_state == LOAD_UNDER_WAY ? 0 : FAILURE;
+    case LOAD_COMMIT:
+      begin_commit();
+      break;
+    default:
+      load_state = LOAD_NONE;
   }
-  return low < HOLDING_WINDOW_COUNT ? low : HOLDING_WINDOW_COUNT;
+  return 0;
 }
 
-// 0 or the exception of a write; `count` registers are written from this one on.
-static u16 holding_check(u16 at, u16 value, u16 count) {
-  if (at >= HOLDING_WINDOW) {
-    if (job || load_state != LOAD_UNDER_WAY) return FAILURE;
-    // The words behind the first belong to it.
-    return at > HOLDING_WINDOW || count == window_size() ? 0 : ILLEGAL_VALUE;
-  }
-  if (at >= HOLDING_WINDOW_OFFSET) {
-    window_wanted[at - HOLDING_WINDOW_OFFSET] = value;
+// Words that a window at window_wanted has: 64, or less at the end of the file; 0: there can be
+// none.
+static u16 window_size(void) {
+  u16 page;
+  u16 pages;
+  if (window_wanted[0] & (HOLDING_WINDOW_COUNT - 1) || window_wanted[1] > 1 ||
+      !length_fits(load[0], load[1])) {
     return 0;
   }
-  if (within(at, HOLDING_LOAD_LENGTH, 4)) return job ? FAILURE : 0;
-  switch (at) {
-    case HOLDING_COMMAND: return check_command(value);
-    case HOLDING_FORCE_POINT: force_wanted = value; return 0;
-    case HOLDING_FORCE_VALUE: return check_force(value);
-    case HOLDING_LOAD_COMMAND: return check_load(value);
-  }
-  return ILLEGAL_ADDRESS;
+  page = window_wanted[1] << 10 | window_wanted[0] >> 6;
+  pages = load[1] << 10 | load[0] >> 6;
+  if (page < pages) return HOLDING_WINDOW_COUNT;
+  return page == pages ? load[0] & (HOLDING_WINDOW_COUNT - 1) : 0;
 }
 
 // The sector that the window lies in is erased when the first window of it comes.
 static void window_begin(void) {
   u16 sector;
+  flash_failed = 0;
   sector = (window[1] << 5 | window[0] >> 11) + 1;
   if (!erased[sector]) {
     flash_erase(sector_page((copy ^ 1) * FLASH_COPY_SECTORS + sector));
@@ -195,13 +217,16 @@ static void window_begin(void) {
   flash_write_at(file_page + (window[1] << 9) + (window[0] >> 7), (window[0] & 127) << 1);
 }
 
-// As checked. 0 or an exception.
-static u16 holding_write(u16 at, u16 value, u16 count) {
+// Checks a write, or `really` carries out what was checked; `count` registers are written from this
+// one on. 0 or an exception.
+static u16 holding_write(u16 really, u16 at, u16 value, u16 count) {
   if (at >= HOLDING_WINDOW) {
-    if (at == HOLDING_WINDOW) {
-      flash_failed = 0;
-      window_begin();
+    if (!really) {
+      if (job || load_state != LOAD_UNDER_WAY) return FAILURE;
+      // The words behind the first belong to it.
+      return at > HOLDING_WINDOW || count == window_size() ? 0 : ILLEGAL_VALUE;
     }
+    if (at == HOLDING_WINDOW) window_begin();
     flash_put(value);
     if (count == 1) {
       flash_wait();
@@ -212,26 +237,34 @@ static u16 holding_write(u16 at, u16 value, u16 count) {
     }
     return 0;
   }
-  if (at >= HOLDING_WINDOW_OFFSET) window[at - HOLDING_WINDOW_OFFSET] = value;
-  if (within(at, HOLDING_LOAD_LENGTH, 4)) load[at - HOLDING_LOAD_LENGTH] = value;
+  if (at >= HOLDING_WINDOW_OFFSET) {
+    at = at - HOLDING_WINDOW_OFFSET;
+    window_wanted[at] = value;
+    if (really) window[at] = value;
+    return 0;
+  }
+  if (within(at, HOLDING_LOAD_LENGTH, 4)) {
+    if (job) return FAILURE;
+    if (really) load[at - HOLDING_LOAD_LENGTH] = value;
+    return 0;
+  }
   switch (at) {
-    case HOLDING_COMMAND: do_command(value); break;
-    case HOLDING_FORCE_POINT: force_point = value; break;
+    case HOLDING_COMMAND:
+      if (!really) return check_command(value);
+      do_command(value);
+      return 0;
+    case HOLDING_FORCE_POINT:
+      force_wanted = value;
+      if (really) force_point = value;
+      return 0;
     case HOLDING_FORCE_VALUE:
+      if (!really) return check_force(value);
       force_value = value;
       force(value);
-      break;
+      return 0;
     case HOLDING_LOAD_COMMAND:
-      load_command = value;
-      switch (value) {
-        case LOAD_BEGIN:
-          begin_load();
-          if (load_state != LOAD_UNDER_WAY) return FAILURE;
-          break;
-        case LOAD_COMMIT: begin_commit(); break;
-        case LOAD_ABORT: load_state = LOAD_NONE; break;
-      }
-      break;
+      if (!really) return check_load(value);
+      return do_load(value);
   }
-  return 0;
+  return ILLEGAL_ADDRESS;
 }

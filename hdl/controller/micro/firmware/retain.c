@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// What outlives a power cut: devices of the ranges that `keep` marks, and PERSIST values, which are a range
-// of their own behind them. They are saved as a record in the ring behind the copies of the program:
+// What outlives a power cut: devices of the ranges that `keep` marks, and PERSIST values, which are
+// a range of their own behind them. They are saved as a record in the ring behind the copies of the
+// program:
 //
-//   retain_id, values (a range behind the other, bits 16 a word), sequence low, high, CRC-32 low, high
+//   retain_id, values (a range behind the other, bits 16 a word), sequence low, high, CRC-32 low,
+//   high
 //
-// in a slot that is a power of two of 64 bytes. The CRC is what is written last: a record torn by a power
-// cut is none. The ring is counted in units of 64 bytes.
+// in a slot that is a power of two of 64 bytes. The CRC is what is written last: a record torn by a
+// power cut is none. The ring is counted in units of 64 bytes.
 
 #define KEEP_RANGES 16
-#define KEEP_WORDS 68 // four words a range, and that of PERSIST
+#define KEEP_WORDS 68  // four words a range, and that of PERSIST
 #define KEEP_PERSIST 64
 #define KEEP_IS_WORDS 1
 #define KEEP_SAVED 2
@@ -16,11 +18,11 @@
 #define UNIT_BYTES 64
 #define RING_UNITS (FLASH_RING_SECTORS * (FLASH_SECTOR_BYTES / UNIT_BYTES))
 #define SECTOR_UNITS (FLASH_SECTOR_BYTES / UNIT_BYTES)
-#define RECORD_EXTRA 5 // words that are not values
+#define RECORD_EXTRA 5  // words that are not values
 #define NO_UNIT 0xFFFF
 
 #define FIRST_PERSIST_PORT 16
-#define MOST_KEPT 2048 // devices in a range
+#define MOST_KEPT 2048  // devices in a range
 
 // Most points of one raw exchange: what goes into the buffer as words.
 #define MOST_RAW 128
@@ -32,22 +34,23 @@
 #define CLEAR 3
 
 u16 keep[KEEP_WORDS];
-u16 value_count; // words saved
-u16 slot_units;  // size of a slot; 0: nothing is saved
-u16 next_unit;   // where the next record goes
-u16 newest_unit; // where the newest is
+u16 value_count;  // words saved
+u16 slot_units;   // size of a slot; 0: nothing is saved
+u16 next_unit;    // where the next record goes
+u16 newest_unit;  // where the newest is
 u16 sequence_low;
 u16 sequence_high;
-u16 saved_low; // CRC of the values saved last
+u16 saved_low;  // CRC of the values saved last
 u16 saved_high;
-u16 record_low; // of the record that was read last: its sequence, and the CRC of its values
+u16 record_low;  // of the record that was read last: its sequence, and the CRC of its values
 u16 record_high;
 u16 values_low;
 u16 values_high;
 u16 saves;
-u16 save_pause; // seconds until a PERSIST value that could not be saved is tried again
+u16 save_pause;  // seconds until a PERSIST value that could not be saved is tried again
 
-// Sizes from the ranges. What would be more than a sector is not saved: ranges that do not overlap never are.
+// Sizes from the ranges. What would be more than a sector is not saved: ranges that do not overlap
+// never are.
 static void lay_out(void) {
   u16 k;
   u16 bytes;
@@ -56,11 +59,13 @@ static void lay_out(void) {
   for (k = 0; k < KEEP_WORDS; k = k + 4) {
     if (keep[k + 2] > MOST_KEPT) return;
     if (keep[k] & KEEP_SAVED) {
-      value_count = value_count + ((keep[k] & KEEP_IS_WORDS) ? keep[k + 2] : (keep[k + 2] + 15) >> 4);
+      value_count =
+          value_count + ((keep[k] & KEEP_IS_WORDS) ? keep[k + 2] : (keep[k + 2] + 15) >> 4);
     }
   }
   // Bits are read 16 at a time.
-  if (value_count && value_count <= FLASH_SECTOR_BYTES / 2 - RECORD_EXTRA && exchange_points >= 16) {
+  if (value_count && value_count <= FLASH_SECTOR_BYTES / 2 - RECORD_EXTRA &&
+      exchange_points >= 16) {
     slot_units = 1;
     bytes = (value_count + RECORD_EXTRA) << 1;
     while (slot_units * UNIT_BYTES < bytes) slot_units = slot_units << 1;
@@ -71,7 +76,6 @@ static void lay_out(void) {
 static u16 values(u16 what) {
   u16 k;
   u16 is_words;
-  u16 device;
   u16 left;
   u16 count;
   u16 have;
@@ -79,12 +83,12 @@ static u16 values(u16 what) {
   u16 word;
   for (k = 0; k < KEEP_WORDS; k = k + 4) {
     is_words = keep[k] & KEEP_IS_WORDS;
-    device = keep[k + 1];
+    read_first = keep[k + 1];
     left = keep[k + 2];
     if (what != CLEAR && !(keep[k] & KEEP_SAVED)) continue;
     if (what >= RESTORE) {
       io_write(REG(LOAD_SPACE), is_words ? SPACE_WORDS : SPACE_BITS);
-      io_write(REG(LOAD_ADDRESS), device);
+      io_write(REG(LOAD_ADDRESS), read_first);
     }
     have = 0;
     while (left) {
@@ -103,16 +107,19 @@ static u16 values(u16 what) {
           have = exchange_points & 0xFFF0;
           if (have > MOST_RAW) have = MOST_RAW;
           if (have > left + count) have = left + count;
-          if (exchange(is_words ? READ + RAW + WORDS : READ + RAW, 0, 0, device, have)) return 1;
-          device = device + have;
+          read_count = have;
+          if (exchange(is_words ? READ + RAW + WORDS : READ + RAW)) return 1;
+          read_first = read_first + have;
           if (!is_words) have = (have + 15) >> 4;
           from = EXCHANGE_READ;
         }
         word = io_read(from);
         from = from + 1;
         have = have - 1;
-        if (what == SAVE) flash_put_checked(word);
-        else crc_word(word);
+        if (what == SAVE)
+          flash_put_checked(word);
+        else
+          crc_word(word);
       }
     }
   }
@@ -126,8 +133,6 @@ static void ring_open(u16 at) { flash_at(FLASH_READ, ring_page(at), (at & 3) << 
 // Reads the record of the slot at a unit. 1: it is whole, and of this program.
 static u16 whole_record(u16 at) {
   u16 n;
-  u16 low;
-  u16 high;
   io_write(REG(CRC_CLEAR), 0);
   ring_open(at);
   if (checked_word() != retain_id) return 0;
@@ -136,10 +141,7 @@ static u16 whole_record(u16 at) {
   values_high = io_read(REG(CRC_HIGH));
   record_low = checked_word();
   record_high = checked_word();
-  low = io_read(REG(CRC_LOW));
-  high = io_read(REG(CRC_HIGH));
-  if (flash_word() != low) return 0;
-  return flash_word() == high;
+  return crc_follows();
 }
 
 static u16 blank_slot(u16 at) {
@@ -151,9 +153,9 @@ static u16 blank_slot(u16 at) {
   return 1;
 }
 
-// Writes a record into the next slot; 1: it did not become whole. The slot is blank, or the first of a sector,
-// which is erased: the newest record is in a slot before it, thus in another sector, and a ring that has gone
-// round without getting any further ends there.
+// Writes a record into the next slot; 1: it did not become whole. The slot is blank, or the first
+// of a sector, which is erased: the newest record is in a slot before it, thus in another sector,
+// and a ring that has gone round without getting any further ends there.
 static u16 write_record(void) {
   u16 at;
   u16 low;
@@ -178,10 +180,7 @@ static u16 write_record(void) {
   }
   flash_put_checked(sequence_low);
   flash_put_checked(sequence_high);
-  low = io_read(REG(CRC_LOW));
-  flash_put(low);
-  flash_put(io_read(REG(CRC_HIGH)));
-  flash_wait();
+  flash_put_crc();
   if (!whole_record(at)) return 1;
   newest_unit = at;
   saved_low = values_low;
@@ -220,9 +219,8 @@ static void restore(void) {
   if (slot_units) {
     at = 0;
     do {
-      if (whole_record(at) &&
-          (record_high > sequence_high ||
-           (record_high == sequence_high && record_low >= sequence_low))) {
+      if (whole_record(at) && (record_high > sequence_high ||
+                               (record_high == sequence_high && record_low >= sequence_low))) {
         newest_unit = at;
         sequence_low = record_low;
         sequence_high = record_high;

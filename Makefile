@@ -37,6 +37,9 @@ help: ## this list
 	  awk -F ':.*## ' '{ printf "  %-9s %s\n", $$1, $$2 }'
 	@echo 'Values (defaults): MPU="$(MPU)" BOARD="$(BOARD)" SEEDS="$(SEEDS)" CONFIG=$(CONFIG) JOBS=$(JOBS)'
 
+# What stands in the micro-sequencer's ROM, for the boards: nothing is compiled yet
+firmware :=
+
 # One CMake build directory: configure if needed, then build.
 # $(1) directory, $(2) options of configuring, $(3) of building
 define cmake_build
@@ -78,7 +81,7 @@ fuzz: ## fuzz the readers of files, SECONDS= for each: reports/fuzz.md, tb/fuzz/
 	@$(PYTHON) scripts/fuzz.py --seconds $(SECONDS) --jobs $(JOBS)
 
 .PHONY: lint
-lint: ## Verilator -Wall, verible, clang-format, the instruction set page
+lint: ## Verilator -Wall, verible, pins of the boards, clang-format, the instruction set page
 	@scripts/setup.sh lint
 	@$(VENV)/python scripts/lint.py
 
@@ -137,11 +140,12 @@ programs: build ## real lists and LDmicro programs: which run, what each instruc
 	@$(PYTHON) scripts/programs_report.py
 
 .PHONY: report
-report: ## all reports, in order: steps, programs, area and clock, bench
+report: ## all reports, in order: steps, programs, area and clock, boards, bench
 	@scripts/setup.sh bench
 	@$(MAKE) --no-print-directory steps
 	@$(MAKE) --no-print-directory programs
 	@$(MAKE) --no-print-directory pnr
+	@$(MAKE) --no-print-directory boards
 	@$(MAKE) --no-print-directory bench
 
 .PHONY: clean

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """The controller on its boards: bitstreams, area and clock over the seeds, area by module; writes
-reports/boards.json and boards.md. Exit 1 if a board's clock is missed or a bound of area is passed.
+reports/boards.json and boards.md. Exit 1 if a board is too small,
+its clock is missed or a bound of area is passed.
 """
 from __future__ import annotations
 
@@ -16,16 +17,23 @@ from typing import Any
 
 from flow import area, bitstream, boards_report, tools
 from flow.designs import PLC_BOARDS, Board, plc_design
-from flow.place_route import nextpnr_version, place_and_route
+from flow.place_route import DoesNotFit, nextpnr_version, place_and_route
 from flow.synthesis import synthesise, yosys_version
 
 
 def measure(name: str, board: Board, seeds: list[int], jobs: int) -> dict[str, Any]:
-    """One board's record. Clocks in MHz."""
+    """One board's record, with `needs` instead of its figures if it does not fit. Clocks in MHz."""
     design = plc_design(board)
     netlist = synthesise(design)
-    with ThreadPoolExecutor(max_workers=jobs) as pool:
-        runs = list(pool.map(lambda seed: place_and_route(design, netlist, seed), seeds))
+    toml = tomllib.loads((tools.ROOT / "hdl" / "isa" / "boards.toml").read_text())["board"][name]
+    record = {"board": name, "title": board.title, "config": board.config, "mpu": toml["mpu"],
+              "board_mhz": board.goal_mhz, "parts": boards_report.parts(design)}
+    try:
+        with ThreadPoolExecutor(max_workers=jobs) as pool:
+            runs = list(pool.map(lambda seed: place_and_route(design, netlist, seed), seeds))
+    except DoesNotFit as error:
+        tools.say(str(error))
+        return {**record, "needs": {kind: list(pair) for kind, pair in error.needs.items()}}
     made = bitstream.build(board, seeds)
     kinds, first = board.family.utilization, made.routed
 
@@ -37,19 +45,16 @@ def measure(name: str, board: Board, seeds: list[int], jobs: int) -> dict[str, A
 
     flip_flops = sum(bool(area.FLIP_FLOP.match(kind)) for kind in area.cells(netlist, design.top).values())
     mhz = [run.fmax_mhz for run in runs]
-    toml = tomllib.loads((tools.ROOT / "hdl" / "isa" / "boards.toml").read_text())["board"][name]
     return {
-        "board": name, "title": board.title, "config": board.config, "mpu": toml["mpu"],
+        **record,
         "logic_cells": used("logic_cells"), "logic_cells_available": available("logic_cells"),
         "flip_flops": flip_flops,
         "block_rams": used("block_rams"), "block_rams_available": available("block_rams"),
         "dsps": used("dsps"),
-        "board_mhz": board.goal_mhz,
         "fmax_mhz": {"min": round(min(mhz), 1), "median": round(statistics.median(mhz), 1),
                      "max": round(max(mhz), 1),
                      "seeds": {str(run.seed): round(run.fmax_mhz, 1) for run in runs}},
         "bitstream": {"file": made.file.name, "bytes": made.file.stat().st_size, "seed": first.seed},
-        "parts": boards_report.parts(design),
     }
 
 

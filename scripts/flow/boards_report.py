@@ -38,11 +38,17 @@ def server(record: dict[str, Any]) -> dict[str, int]:
     return {"micro-sequencer": luts[SERVER[0]], "Modbus server": sum(luts[part] for part in SERVER)}
 
 
+def shortage(record: dict[str, Any]) -> str:
+    return ", ".join(f"{used} of {there} {kind}" for kind, (used, there) in record["needs"].items())
+
+
 def missed(report: dict[str, Any]) -> list[str]:
     """What is not as it should be."""
     found = []
     for record in report["boards"]:
-        if record["fmax_mhz"]["min"] < record["board_mhz"]:
+        if "needs" in record:
+            found.append(f"{record['board']}: does not fit: {shortage(record)}")
+        elif record["fmax_mhz"]["min"] < record["board_mhz"]:
             found.append(f"{record['board']}: {record['fmax_mhz']['min']} MHz, the board has {record['board_mhz']}")
         for what, luts in server(record).items():
             if luts > report["bounds"][what]:
@@ -56,6 +62,10 @@ def missed(report: dict[str, Any]) -> list[str]:
 def render(report: dict[str, Any]) -> str:
     rows = []
     for r in report["boards"]:
+        if "needs" in r:
+            rows.append([f"{r['title']}, MPU{r['mpu']}", f"**does not fit: {shortage(r)}**", *["-"] * 6,
+                         r["board_mhz"], "no", "-"])
+            continue
         fmax = r["fmax_mhz"]
         rows.append([f"{r['title']}, MPU{r['mpu']}", f"{r['logic_cells']} of {r['logic_cells_available']}",
                      r["flip_flops"], f"{r['block_rams']} of {r['block_rams_available']}", r["dsps"] or "-",

@@ -36,7 +36,9 @@ def load(isa_dir, configs):
     crc = zlib.crc32(what)
     return {"control": control, "maps": maps, "boards": boards["board"],
             "tables": (crc ^ crc >> 16) & 0xFFFF,
-            "ids": {name: config["id"] for name, config in configs["config"].items()}}
+            "ids": {name: config["id"] for name, config in configs["config"].items()},
+            "devices": {name: {key: config[key] for key in ("bit_devices", "word_devices")}
+                        for name, config in configs["config"].items()}}
 
 
 def expand(names):
@@ -105,6 +107,8 @@ def c_header(tables, notice):
         out.append(f"#define AREAS_{name} {rows}")
         for table in TABLES:
             out.append(f"#define {table.upper()}_POINTS_{name} {sizes[table]}")
+        for key, count in tables["devices"][name].items():
+            out.append(f"#define {key.upper()}_{name} {count}")
     return "\n".join(out + ["\n#endif\n"])
 
 

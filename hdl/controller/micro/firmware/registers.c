@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: Apache-2.0
+// The controller's holding registers, 0xE000 to 0xE151: those between them that the table does not
+// have read 0 and cannot be written. Writes of a request are all checked before the first takes
+// effect.
+
+#define FIRST_HOLDING HOLDING_IDENTITY
+#define HOLDING_REGISTERS (HOLDING_WINDOW + HOLDING_WINDOW_COUNT - FIRST_HOLDING)
+
+// register command
+#define COMMAND_RUN 1
+#define COMMAND_STOP 2
+#define COMMAND_ONE 3
+#define COMMAND_CLEAR_STATISTICS 4
+#define COMMAND_LEAVE_FAULT 5
+#define COMMAND_SAVE 6
+#define COMMAND_RELEASE 7
+#define COMMAND_CLEAR_KEPT 8
+
+// register load_command
+#define LOAD_BEGIN 1
+#define LOAD_COMMIT 2
+#define LOAD_ABORT 3
+
+u16 command;
+u16 load_command;
+u16 window[2];         // register window_offset
+u16 window_wanted[2];  // what it will be when the request is carried out
+u16 frames;
+u16 exceptions;
+
+// A word of the running program's file: n of the window. The first of a request sets out to read
+// there.
+static u16 window_word(u16 n, u16 first) {
+  u16 low;
+  u16 high;
+  low = window[0] + n;
+  high = window[1];
+  if (low < n) high = high + 1;
+  if (high > program[3] || (high == program[3] && low >= program[2])) return 0;
+  if (first) {
+    file_start(copy);
+    flash_at(FLASH_READ, file_page + (high << 9) + (low >> 7), (low & 127) << 1);
+  }
+  return flash_word();
+}
+
+static u16 flags(void) {
+  u16 status;
+  status = io_read(REG(SCAN_STATUS));
+  return (status >> 3 & 1) | (io_read(REG(SCAN_OVERRUNS)) ? 2 : 0) | (force_count ? 4 : 0) |
+         restored << 3 | (status >> 1 & 16) | copy << 5;
+}
+
+// first: the request's reading begins here.
+static u16 holding_read(u16 at, u16 first) {
+  if (at >= HOLDING_WINDOW) return window_word(at - HOLDING_WINDOW, first || at == HOLDING_WINDOW);
+  if (at >= HOLDING_WINDOW_OFFSET) return window[at - HOLDING_WINDOW_OFFSET];
+  if (within(at, HOLDING_LOAD_LENGTH, 4)) return load[at - HOLDING_LOAD_LENGTH];
+  if (within(at, HOLDING_FORCE_LIST, MOST_FORCES)) {
+    at = at - HOLDING_FORCE_LIST;
+    return at < force_count ? force_list[at] : NO_FORCE;
+  }
+  // Registers that stand in the same order on both sides
+  if (within(at, HOLDING_INPUTS, 8)) return io_read(REG(INPUTS) - HOLDING_INPUTS + at);
+  if (within(at, HOLDING_PROGRAM_GENERATION, 6)) return program[at - HOLDING_PROGRAM_GENERATION];
+  if (within(at, HOLDING_BAD_FRAMES, 3))
+    return io_read(REG(LINE_BAD_CRC) - HOLDING_BAD_FRAMES + at);
+  if (within(at, HOLDING_BOARD, 3)) return io_read(REG(BOARD_ID) - HOLDING_BOARD + at);
+  if (within(at, HOLDING_SCAN_COUNT, 9)) {
+    at = REG(SCAN_COUNT_LOW) - HOLDING_SCAN_COUNT + at;
+    // A high word is that of the low word read before it.
+    if (first) io_read(at & 0xFFFE);
+    return io_read(at);
+  }
+  switch (at) {
+    case HOLDING_IDENTITY:
+      return 0x5247;
+    case HOLDING_INTERFACE:
+      return 1;
+    case HOLDING_TABLES:
+      return TABLES;
+    case HOLDING_COMMAND:
+      return command;
+    case HOLDING_STATE:
+      return no_program ? 4 : scan_state();
+    case HOLDING_FAULT:
+      return no_program ? no_program : io_read(REG(SCAN_STATUS)) >> 8;
+    case HOLDING_FLAGS:
+      return flags();
+    case HOLDING_EXCHANGE_POINTS:
+      return exchange_points;
+    case HOLDING_FRAMES:
+      return frames;
+    case HOLDING_EXCEPTIONS:
+      return exceptions;
+    case HOLDING_SAVES:
+      return saves;
+    case HOLDING_FORCE_COUNT:
+      return force_count;
+    case HOLDING_FORCE_POINT:
+      return force_point;
+    case HOLDING_FORCE_VALUE:
+      return force_value;
+    case HOLDING_LOAD_COMMAND:
+      return load_command;
+    case HOLDING_LOAD_STATE:
+      return load_state;
+  }
+  return 0;
+}
+
+static u16 check_command(u16 value) {
+  u16 status;
+  status = io_read(REG(SCAN_STATUS));
+  if (!within(value, 1, 8)) return ILLEGAL_VALUE;
+  if (job) return FAILURE;
+  switch (value) {
+    case COMMAND_STOP:
+    case COMMAND_CLEAR_STATISTICS:
+    case COMMAND_RELEASE:
+      return 0;
+    case COMMAND_RUN:
+      if ((status & 3) == FAULT || !(status & SCAN_SWITCH)) return FAILURE;
+      break;
+    case COMMAND_ONE:
+      if (!(status & SCAN_SWITCH)) return FAILURE;
+      // fall through
+    case COMMAND_CLEAR_KEPT:
+      if (!(status & SCAN_IDLE)) return FAILURE;
+      break;
+  }
+  return no_program ? FAILURE : 0;
+}
+
+static void do_command(u16 value) {
+  command = value;
+  switch (value) {
+    case COMMAND_RUN:
+      // One scan may be under way: it ends first.
+      if (scan_state() != RUNNING) {
+        stop();
+        run();
+      }
+      break;
+    case COMMAND_STOP:
+      if (scan_state() != FAULT) stop();
+      break;
+    case COMMAND_ONE:
+      io_write(REG(SCAN_COMMAND), SCAN_ONE);
+      break;
+    case COMMAND_CLEAR_STATISTICS:
+      io_write(REG(SCAN_COMMAND), SCAN_CLEAR);
+      break;
+    case COMMAND_LEAVE_FAULT:
+      if (scan_state() == FAULT) io_write(REG(SCAN_COMMAND), SCAN_LEAVE_FAULT);
+      break;
+    case COMMAND_SAVE:
+      save_request = 2;
+      break;
+    case COMMAND_RELEASE:
+      release_all();
+      break;
+    case COMMAND_CLEAR_KEPT:
+      values(CLEAR);
+      save_request = 1;
+      break;
+  }
+}
+
+static u16 check_load(u16 value) {
+  if (!within(value, 1, 3)) return ILLEGAL_VALUE;
+  if (job || (value == LOAD_COMMIT && load_state != LOAD_UNDER_WAY)) return FAILURE;
+  if (value != LOAD_ABORT && !length_fits(load[0], load[1])) return ILLEGAL_VALUE;
+  return 0;
+}
+
+static u16 do_load(u16 value) {
+  load_command = value;
+  switch (value) {
+    case LOAD_BEGIN:
+      begin_load();
+      return load_state == LOAD_UNDER_WAY ? 0 : FAILURE;
+    case LOAD_COMMIT:
+      begin_commit();
+      break;
+    default:
+      load_state = LOAD_NONE;
+  }
+  return 0;
+}
+
+// Words that a window at window_wanted has: 64, or less at the end of the file; 0: there can be
+// none.
+static u16 window_size(void) {
+  u16 low;
+  low = load[0] - window_wanted[0];
+  if (!length_fits(load[0], load[1])) return 0;
+  if ((window_wanted[0] & (HOLDING_WINDOW_COUNT - 1)) || window_wanted[1] > load[1]) return 0;
+  if (window_wanted[1] == load[1]) {
+    if (window_wanted[0] >= load[0]) return 0;
+  } else if (window_wanted[1] + 1 != load[1] || low <= load[0]) {
+    return HOLDING_WINDOW_COUNT;
+  }
+  return low < HOLDING_WINDOW_COUNT ? low : HOLDING_WINDOW_COUNT;
+}
+
+// The sector that the window lies in is erased when the first window of it comes.
+static void window_begin(void) {
+  u16 sector;
+  flash_failed = 0;
+  sector = (window[1] << 5 | window[0] >> 11) + 1;
+  if (!erased[sector]) {
+    flash_erase(sector_page((copy ^ 1) * FLASH_COPY_SECTORS + sector));
+    erased[sector] = 1;
+  }
+  file_start(copy ^ 1);
+  flash_write_at(file_page + (window[1] << 9) + (window[0] >> 7), (window[0] & 127) << 1);
+}
+
+// Checks a write, or `really` carries out what was checked; `count` registers are written from this
+// one on. 0 or an exception.
+static u16 holding_write(u16 really, u16 at, u16 value, u16 count) {
+  if (at >= HOLDING_WINDOW) {
+    if (!really) {
+      if (job || load_state != LOAD_UNDER_WAY) return FAILURE;
+      // The words behind the first belong to it.
+      return at > HOLDING_WINDOW || count == window_size() ? 0 : ILLEGAL_VALUE;
+    }
+    if (at == HOLDING_WINDOW) window_begin();
+    flash_put(value);
+    if (count == 1) {
+      flash_wait();
+      if (flash_failed) {
+        load_failed(LOAD_FLASH_ERROR);
+        return FAILURE;
+      }
+    }
+    return 0;
+  }
+  if (at >= HOLDING_WINDOW_OFFSET) {
+    at = at - HOLDING_WINDOW_OFFSET;
+    window_wanted[at] = value;
+    if (really) window[at] = value;
+    return 0;
+  }
+  if (within(at, HOLDING_LOAD_LENGTH, 4)) {
+    if (job) return FAILURE;
+    if (really) load[at - HOLDING_LOAD_LENGTH] = value;
+    return 0;
+  }
+  switch (at) {
+    case HOLDING_COMMAND:
+      if (!really) return check_command(value);
+      do_command(value);
+      return 0;
+    case HOLDING_FORCE_POINT:
+      force_wanted = value;
+      if (really) force_point = value;
+      return 0;
+    case HOLDING_FORCE_VALUE:
+      if (!really) return check_force(value);
+      force_value = value;
+      force(value);
+      return 0;
+    case HOLDING_LOAD_COMMAND:
+      if (!really) return check_load(value);
+      return do_load(value);
+  }
+  return ILLEGAL_ADDRESS;
+}

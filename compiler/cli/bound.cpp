@@ -29,7 +29,7 @@ Bound bind_image(const image::Image& image, const std::optional<io::Map>& map,
   bound.map = map ? *map : io::default_map(bound.subject, diagnostics);
   bound.bindings = io::bind(bound.map, bound.subject, diagnostics);
   bound.timing = load::timing_of(image, bound.bindings, clock_of(options, image));
-  load::check_timing(bound.timing, bound.map, bound.bindings, diagnostics);
+  load::check_timing(bound.timing, bound.map, bound.bindings, image.program, diagnostics);
   return bound;
 }
 

@@ -18,7 +18,9 @@ void define_line(CLI::App& command, Options& options) {
                   "serial port of the controller, such as /dev/ttyUSB0, or tcp:HOST:PORT")
       ->required();
   // What serial ports can be set to, of what the controller can.
-  command.add_option("--baud", options.baud, "19200 if not given")
+  command
+      .add_option("--baud", options.baud,
+                  "19200 if not given (rung load: first as the I/O map says; so parity and unit)")
       ->check(CLI::IsMember(
           {9600, 19200, 38400, 57600, 115200, 230400, 460800, 500000, 576000, 921600}));
   command.add_option("--parity", options.parity, "even if not given")

@@ -56,12 +56,11 @@ int export_command(const Options& given) {
   int without = 0;
   const std::string text = symbols(subject, without);
   if (without > 0) {
-    diagnostics.warning(
-        options.program, {},
-        fmt::format("{} devices of the program have no Modbus address on a controller "
-                    "of configuration {}",
-                    without, subject.config),
-        "let the program copy them to devices that have one: hdl/isa/configs.toml");
+    diagnostics.warning(options.program, {},
+                        fmt::format("devices of the program without a Modbus address on a "
+                                    "controller of configuration {}: {}",
+                                    subject.config, without),
+                        "let the program copy them to devices that have one: hdl/isa/configs.toml");
   }
   write_file(options.symbols, text, diagnostics);
   return report(diagnostics);

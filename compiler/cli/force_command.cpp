@@ -9,6 +9,7 @@ namespace {
 constexpr int kReleaseAll = 7;  // command register
 
 struct Wanted {
+  std::string argument;
   std::string name;
   int address = 0;
   std::optional<bool> value;  // nothing: release
@@ -28,15 +29,21 @@ void refuse(const std::string& argument, const std::string& what, std::string me
 }
 
 // X5=1
-std::optional<Wanted> parse(const std::string& argument, const io::Subject& names,
-                            const std::string& config, Diagnostics& diagnostics) {
+Wanted parse(const std::string& argument) {
   const std::size_t equals = argument.rfind('=');
   const std::string value = equals == std::string::npos ? "" : argument.substr(equals + 1);
   if (value != "0" && value != "1" && value != "release") {
     throw UsageError(fmt::format("{}: write DEVICE=0, DEVICE=1 or DEVICE=release", argument));
   }
-  Wanted wanted{argument.substr(0, equals), 0, {}};
+  Wanted wanted{argument, argument.substr(0, equals), 0, {}};
   if (value != "release") wanted.value = value == "1";
+  return wanted;
+}
+
+// Finds its address; false, with an error, if it has none.
+bool find(Wanted& wanted, const io::Subject& names, const std::string& config,
+          Diagnostics& diagnostics) {
+  const std::string& argument = wanted.argument;
   const auto device = names.find(wanted.name, false);
   if (!device) {
     const std::string near = names.near(wanted.name);
@@ -44,21 +51,21 @@ std::optional<Wanted> parse(const std::string& argument, const io::Subject& name
         argument, "this is neither a device nor a name that the program has",
         near.empty() ? "write X5=1; names need --program" : fmt::format("did you mean {}?", near),
         diagnostics);
-    return std::nullopt;
+    return false;
   }
   if (device->kind != DeviceKind::X && device->kind != DeviceKind::Y) {
     refuse(argument, "inputs (X) and outputs (Y) can be forced, and nothing else",
            "write to other devices with a Modbus client", diagnostics);
-    return std::nullopt;
+    return false;
   }
   const auto point = io::point_of(*device, names.dialect, config);
   if (!point) {
     refuse(argument, fmt::format("configuration {} has no address for this device", config),
            "see `rung export`", diagnostics);
-    return std::nullopt;
+    return false;
   }
   wanted.address = point->address;
-  return wanted;
+  return true;
 }
 
 void print_forces(client::Controller& controller, const io::Subject& names) {
@@ -80,17 +87,14 @@ int force_command(const Options& options) {
   if (options.devices.empty() && !options.list && !options.release_all) {
     throw UsageError("force: say what: DEVICE=0|1|release, --list or --release-all");
   }
+  std::vector<Wanted> all;
+  for (const std::string& argument : options.devices) all.push_back(parse(argument));
   Diagnostics diagnostics;
   const auto names = names_for(options, options.program, diagnostics);
   if (!names) return report(diagnostics);
   return with_controller(options, diagnostics, [&] {
     client::Controller controller(line_of(options, std::nullopt));
-    std::vector<Wanted> all;
-    for (const std::string& argument : options.devices) {
-      if (auto wanted = parse(argument, *names, controller.config(), diagnostics)) {
-        all.push_back(std::move(*wanted));
-      }
-    }
+    for (Wanted& wanted : all) find(wanted, *names, controller.config(), diagnostics);
     if (diagnostics.has_errors()) return kRefused;
     if (options.release_all) controller.command(kReleaseAll);
     for (const Wanted& wanted : all) {

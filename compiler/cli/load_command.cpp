@@ -34,6 +34,22 @@ class ProgressLine {
   bool shown_ = false;
 };
 
+// The line is as the program that runs there has set it: most often by this map, at first as after
+// reset.
+client::Controller connect(const Options& options, const std::optional<io::Map>& map) {
+  const client::LineOptions as_mapped = line_of(options, map);
+  const client::LineOptions plain = line_of(options, std::nullopt);
+  try {
+    return client::Controller(as_mapped);
+  } catch (const client::TimeoutError&) {
+    if (as_mapped.baud == plain.baud && as_mapped.parity == plain.parity &&
+        as_mapped.unit == plain.unit) {
+      throw;
+    }
+  }
+  return client::Controller(plain);
+}
+
 }  // namespace
 
 int load_command(const Options& given) {
@@ -52,9 +68,7 @@ int load_command(const Options& given) {
   const auto words = load::make(*input->image, bound.bindings, bound.timing.clock_hz, diagnostics);
   if (!words) return report(diagnostics);
   return with_controller(options, diagnostics, [&] {
-    // The line is as the program that runs there has set it: not as this map does, unless the
-    // options say nothing and it is the same.
-    client::Controller controller(line_of(options, std::nullopt));
+    client::Controller controller = connect(options, map);
     client::LineOptions after = line_of(options, std::nullopt);
     const client::LineOptions mapped = line_of({}, map);
     after.baud = mapped.baud;

@@ -19,6 +19,7 @@ struct LineOptions {
   char parity = 'E';  // N, O, E
   int unit = 1;
   int timeout_ms = 1000;
+  int flash_timeout_ms = 5000;  // at least, while a download erases and writes the flash
 };
 
 // What went wrong on the line or with what was asked, and what to do about it.

@@ -268,7 +268,7 @@ Status Controller::download(const std::vector<std::uint16_t>& words, const LineO
   check_target(words);
   const int timeout = line_->options().timeout_ms;
   try {
-    line_->set_timeout(std::max(timeout, 5000));
+    line_->set_timeout(std::max(timeout, line_->options().flash_timeout_ms));
     send(words, progress);
   } catch (const ExceptionError&) {
     try {

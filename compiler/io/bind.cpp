@@ -17,7 +17,10 @@ constexpr std::int64_t kDefaultPwmHz = 1000;
 class Binder {
  public:
   Binder(const Map& map, const Subject& subject, Diagnostics& diagnostics)
-      : map_(map), subject_(subject), diagnostics_(diagnostics) {}
+      : map_(map),
+        subject_(subject),
+        diagnostics_(diagnostics),
+        file_(map.file.empty() ? subject.file : map.file) {}
 
   Bindings run() {
     out_.board = map_.board;
@@ -38,10 +41,10 @@ class Binder {
 
  private:
   void error(SourcePosition position, std::string what, std::string mend) {
-    diagnostics_.error(map_.file, position, std::move(what), std::move(mend));
+    diagnostics_.error(file_, position, std::move(what), std::move(mend));
   }
   void warn(SourcePosition position, std::string what, std::string mend = {}) {
-    diagnostics_.warning(map_.file, position, std::move(what), std::move(mend));
+    diagnostics_.warning(file_, position, std::move(what), std::move(mend));
   }
   bool ldmicro() const { return subject_.dialect == Dialect::Ldmicro; }
 
@@ -239,6 +242,7 @@ class Binder {
   const Map& map_;
   const Subject& subject_;
   Diagnostics& diagnostics_;
+  const std::string& file_;  // of messages: the program's for a map that was made up
   Bindings out_;
   std::map<Device, Line> bound_;
 };

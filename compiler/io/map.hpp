@@ -33,6 +33,9 @@ struct Settings {
   Parity parity = Parity::Even;
 };
 
+// Of a line whose pin is refused: its name can be checked still.
+inline constexpr int kNoPin = -1;
+
 // A line of the file that binds `name`.
 struct Line {
   std::string name;

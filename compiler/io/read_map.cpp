@@ -38,25 +38,14 @@ class MapReader {
     if (!read_board(root)) return std::nullopt;
     if (const auto* table = root.table("controller")) read_controller(*table);
     if (const auto* table = root.table("modbus")) read_modbus(*table);
-    if (const auto* table = root.table("inputs")) {
-      for (const auto& [key, node] : *table) read_input(key, node);
-    }
-    if (const auto* table = root.table("outputs")) {
-      for (const auto& [key, node] : *table) read_output(key, node);
-    }
-    if (const auto* table = root.table("analog")) {
-      for (const auto& [key, node] : *table) read_analog(key, node);
-    }
-    if (const auto* table = root.table("pwm")) {
-      for (const auto& [key, node] : *table) read_pwm(key, node);
-    }
+    each("inputs", [this](const toml::key& key, const toml::node& node) { read_input(key, node); });
+    each("outputs",
+         [this](const toml::key& key, const toml::node& node) { read_output(key, node); });
+    each("analog",
+         [this](const toml::key& key, const toml::node& node) { read_analog(key, node); });
+    each("pwm", [this](const toml::key& key, const toml::node& node) { read_pwm(key, node); });
     if (const auto* table = root.table("uart")) read_uart(*table);
     if (const auto* table = root.table("latched")) read_latched(*table);
-    // toml++ has them by name; messages and tables have them as the file does.
-    in_order(map_.inputs);
-    in_order(map_.outputs);
-    in_order(map_.analog);
-    in_order(map_.pwm);
     return std::move(map_);
   }
 
@@ -68,12 +57,17 @@ class MapReader {
     diagnostics_.error(file_, position, std::move(what), std::move(mend));
   }
 
-  template <typename Lines>
-  static void in_order(Lines& lines) {
-    std::stable_sort(lines.begin(), lines.end(), [](const Line& a, const Line& b) {
-      return std::pair(a.position.line, a.position.column) <
-             std::pair(b.position.line, b.position.column);
-    });
+  // Of the table `name` each key, in the order of the file; toml++ has them in that of their names.
+  template <typename Read>
+  void each(std::string_view name, Read&& read) {
+    const auto* table = fields(root_, "the map").table(name);
+    if (table == nullptr) return;
+    std::map<std::pair<int, int>, std::pair<const toml::key*, const toml::node*>> in_order;
+    for (const auto& [key, node] : *table) {
+      const SourcePosition at = position_of(key.source());
+      in_order[{at.line, at.column}] = {&key, &node};
+    }
+    for (const auto& [at, entry] : in_order) read(*entry.first, *entry.second);
   }
 
   bool read_board(const Fields& root) {
@@ -204,8 +198,7 @@ class MapReader {
     }
     const auto pin = pin_of(value->name, value->position, map_.board->inputs, "input pin",
                             map_.board->outputs, "output pin");
-    if (!pin) return;
-    line.pin = *pin;
+    line.pin = pin.value_or(kNoPin);
     map_.inputs.push_back(std::move(line));
   }
 
@@ -221,8 +214,7 @@ class MapReader {
     }
     const auto pin = pin_of(value->name, value->position, map_.board->outputs, "output pin",
                             map_.board->inputs, "input pin");
-    if (!pin) return;
-    line.pin = *pin;
+    line.pin = pin.value_or(kNoPin);
     map_.outputs.push_back(std::move(line));
   }
 
@@ -267,8 +259,7 @@ class MapReader {
     }
     const auto pin = pin_of(value->name, value->position, map_.board->pwm, "PWM output",
                             map_.board->outputs, "plain output pin");
-    if (!pin) return;
-    line.pin = *pin;
+    line.pin = pin.value_or(kNoPin);
     map_.pwm.push_back(std::move(line));
   }
 

@@ -45,13 +45,13 @@ Timing timing_of(const image::Image& image, const io::Bindings& bindings, std::i
 }
 
 void check_timing(const Timing& timing, const io::Map& map, const io::Bindings& bindings,
-                  Diagnostics& diagnostics) {
+                  const std::string& program, Diagnostics& diagnostics) {
   const io::Settings& settings = bindings.settings;
   const std::int64_t watchdog = clocks_of(settings.watchdog_us, timing.clock_hz);
   const auto ms = [&](std::int64_t clocks) {
     return 1e3 * static_cast<double>(clocks) / static_cast<double>(timing.clock_hz);
   };
-  const std::string& file = map.file.empty() ? std::string("I/O map") : map.file;
+  const std::string& file = map.file.empty() ? program : map.file;
   if (settings.watchdog_us > 0 && watchdog <= timing.cycle) {
     diagnostics.error(
         file, map.watchdog_position,

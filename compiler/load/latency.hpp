@@ -30,9 +30,10 @@ struct Timing {
 };
 Timing timing_of(const image::Image& image, const io::Bindings& bindings, std::int64_t clock_hz);
 
-// An error for a watchdog that the scan would trip, a warning for a period that it cannot keep.
+// An error for a watchdog that the scan would trip, a warning for a period that it cannot keep; at
+// the map's lines, or for a map that was made up at the file `program`.
 void check_timing(const Timing& timing, const io::Map& map, const io::Bindings& bindings,
-                  Diagnostics& diagnostics);
+                  const std::string& program, Diagnostics& diagnostics);
 
 std::string to_string(const Timing& timing);
 

@@ -13,7 +13,9 @@
 #include "backends/list_writer.hpp"
 #include "fuzz/bytecode_reader.hpp"
 #include "image/image_file.hpp"
+#include "io/bind.hpp"
 #include "ldmicro/ldmicro.hpp"
+#include "load/load_file.hpp"
 #include "melsec/comments.hpp"
 #include "melsec/list.hpp"
 #include "melsec/melsec.hpp"
@@ -195,6 +197,51 @@ void read_image(std::string_view bytes) {
   read_image_file(wrapped(bytes));
 }
 
+// A map as it is, then bound to a list; of what is refused each line says why.
+void read_io_map(std::string_view bytes) {
+  Diagnostics diagnostics;
+  const auto map = io::parse_map(bytes, "fuzz.toml", diagnostics);
+  require(map.has_value() || diagnostics.has_errors(), "refused without an error");
+  if (!map) return;
+  io::Subject subject;
+  subject.config = "ecp5";
+  using enum DeviceKind;
+  for (const Device device : {Device{X, 0},
+                              {X, 1},
+                              {Y, 0},
+                              {Y, 1},
+                              {M, 600},
+                              {TS, 250},
+                              {CS, 220},
+                              {D, 10},
+                              {D, 200},
+                              {TN, 250},
+                              {CN, 220},
+                              {CNH, 220}}) {
+    subject.devices.push_back({device, device_name(device, subject.dialect), "name"});
+  }
+  const io::Bindings bindings = io::bind(*map, subject, diagnostics);
+  if (!diagnostics.has_errors()) static_cast<void>(io::table(bindings, subject));
+}
+
+// As words, the high byte first, once as they are and once with the length that they have.
+void read_load_file(std::string_view bytes) {
+  std::vector<std::uint16_t> words;
+  for (std::size_t at = 0; at + 1 < bytes.size(); at += 2) {
+    words.push_back(static_cast<std::uint16_t>(static_cast<unsigned char>(bytes[at]) << 8 |
+                                               static_cast<unsigned char>(bytes[at + 1])));
+  }
+  for (int length = 0; length < 2; ++length) {
+    std::string problem;
+    const auto contents = load::read(words, problem);
+    require(contents.has_value() == problem.empty(),
+            "refused without words, or accepted with some");
+    if (words.size() < 8) return;
+    words[6] = static_cast<std::uint16_t>(words.size() & 0xFFFF);
+    words[7] = static_cast<std::uint16_t>(words.size() >> 16);
+  }
+}
+
 constexpr Reader kReaders[] = {
     {"list", read_list},
     {"csv", read_csv},
@@ -205,6 +252,8 @@ constexpr Reader kReaders[] = {
     {"image", read_image},
     {"ldmicro_trace", read_shown},
     {"bytecode", read_bytecode},
+    {"io_map", read_io_map},
+    {"load_file", read_load_file},
 };
 
 }  // namespace

@@ -29,11 +29,11 @@ void with_slave(const std::string& name, void (*action)(int)) {
   ::close(slave);
 }
 
-void make_raw(int slave) {
+void make_raw(int terminal) {
   termios settings{};
-  ::tcgetattr(slave, &settings);
+  ::tcgetattr(terminal, &settings);
   ::cfmakeraw(&settings);
-  ::tcsetattr(slave, TCSANOW, &settings);
+  ::tcsetattr(terminal, TCSANOW, &settings);
 }
 
 // Answers that the client did not take. Not its requests: they may be those of the next client
@@ -87,12 +87,17 @@ void PseudoTerminal::find_state() {
   pollfd state{master_, 0, 0};
   ::poll(&state, 1, 0);
   const bool open = (state.revents & POLLHUP) == 0;
-  if (open_ && !open) {
-    with_slave(name_, drop_answers);
-    // A client may leave the terminal as it likes it; the next one starts from raw.
-    with_slave(name_, make_raw);
-  }
+  if (open_ && !open) with_slave(name_, drop_answers);
   open_ = open;
+  if (open) return;
+  // A client may leave the terminal as it likes it, and may have come and gone unseen; the next one
+  // starts from raw. The terminal's settings are those of both its sides.
+  termios settings{};
+  const tcflag_t cooked = ICANON | ECHO | ISIG | IEXTEN;
+  if (::tcgetattr(master_, &settings) == 0 &&
+      ((settings.c_lflag & cooked) != 0 || (settings.c_oflag & OPOST) != 0)) {
+    make_raw(master_);
+  }
 }
 
 std::vector<std::uint8_t> PseudoTerminal::read(std::size_t limit) {

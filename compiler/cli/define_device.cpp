@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/define.hpp"
+#include "controller/simulated_controller.hpp"
 
 namespace rung::cli {
 
@@ -22,7 +23,7 @@ void define_device(CLI::App& app, Options& options) {
   command
       ->add_option("--clocks-per-ms", options.clocks_per_ms,
                    "clocks of a simulated millisecond; serial timing scales with it")
-      ->check(CLI::Range(std::uint64_t{200}, std::uint64_t{25'000}))
+      ->check(CLI::IsMember(tb::SimulatedController::built_clocks_per_ms()))
       ->capture_default_str();
   command->add_flag("--fast", options.fast,
                     "as fast as it goes, not in real time; the line waits for it");

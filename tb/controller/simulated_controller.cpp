@@ -39,10 +39,14 @@ const controller::Board& board_of(std::string_view name) {
 
 }  // namespace
 
-std::uint64_t SimulatedController::built_clocks_per_ms() { return kClocksPerMs; }
+std::vector<std::uint64_t> SimulatedController::built_clocks_per_ms() { return {kClocksPerMs}; }
 
 std::unique_ptr<SimulatedController> SimulatedController::make(const ControllerSetup& setup) {
   const controller::Board& board = board_of(setup.board);
+  if (setup.clocks_per_ms != kClocksPerMs) {
+    throw std::runtime_error(fmt::format("{} clocks a millisecond: the models are built with {}",
+                                         setup.clocks_per_ms, kClocksPerMs));
+  }
   const FlashTimes times = setup.flash_times.value_or(scaled_times());
   const auto make = [&]<typename Top, template <typename> typename Line>() {
     return std::make_unique<VerilatedController<Top, Line<Top>>>(board, setup, flash_bytes(board),

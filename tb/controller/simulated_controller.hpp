@@ -23,6 +23,7 @@ struct ControllerSetup {
   // Where the host line is met: at its pins, or (much shorter) as bytes behind the UART.
   enum class Line : std::uint8_t { Bits, Bytes };
   Line line = Line::Bits;
+  // Clocks of a simulated millisecond: one of built_clocks_per_ms(). It is a parameter of the RTL.
   std::uint64_t clocks_per_ms = 250;
   // Of what registers and memories hold at power-up, and of what a power cut leaves in the flash.
   std::uint64_t seed = 1;
@@ -34,8 +35,7 @@ class SimulatedController : public device::BenchMachine {
  public:
   // Powered, in its first clock, with an erased flash. Throws for a board that is not simulated.
   static std::unique_ptr<SimulatedController> make(const ControllerSetup& setup);
-  // The clocks of a simulated millisecond that the models are built with.
-  static std::uint64_t built_clocks_per_ms();
+  static std::vector<std::uint64_t> built_clocks_per_ms();
 
   const controller::Board& board() const { return board_; }
   FlashModel& flash() { return flash_; }
@@ -57,7 +57,7 @@ class SimulatedController : public device::BenchMachine {
   }
   std::vector<device::PinChange> changes() override { return std::exchange(changes_, {}); }
   std::uint64_t now() const override { return now_; }
-  std::uint64_t clocks_per_ms() const override { return built_clocks_per_ms(); }
+  std::uint64_t clocks_per_ms() const override { return clocks_per_ms_; }
   bool powered() const override { return powered_; }
 
   // What the host UART is set to, and frames or bits on its line that were none.
@@ -78,10 +78,13 @@ class SimulatedController : public device::BenchMachine {
  protected:
   SimulatedController(const controller::Board& board, const ControllerSetup& setup,
                       std::size_t flash_bytes, FlashTimes times)
-      : board_(board), flash_(flash_bytes, setup.seed, times) {}
+      : board_(board),
+        flash_(flash_bytes, setup.seed, times),
+        clocks_per_ms_(setup.clocks_per_ms) {}
 
   const controller::Board& board_;
   FlashModel flash_;
+  std::uint64_t clocks_per_ms_;
   BitLine ladder_;
   std::uint64_t now_ = 0;
   bool powered_ = true;

@@ -82,7 +82,7 @@ module scan_controller (
   always @(posedge clk_i) begin
     clocks_q <= begin_scan ? 32'd0 : clocks_q + 32'd1;
     // latch_o is a register behind begin_scan, and due_q one before it.
-    due_q <= !begin_scan && clocks_q + 32'd3 == period_i;
+    due_q <= !begin_scan && clocks_q + 32'd2 == period_i;
     if (begin_scan) in_time_q <= 1'b1;
     else if (due_q && phase_q != WAIT) in_time_q <= 1'b0;
     trip_q <= in_scan && watchdog_i != 32'd0 && clocks_q >= watchdog_i;

@@ -117,89 +117,31 @@ module board_core #(
 
   assign {done_o, busy_o, error_o} = lamps_q;
 
-  generate
-    if (MPU == 1) begin : gen_mpu1
-      mpu1 #(
-          .STEPS        (STEPS),
-          .BIT_DEVICES  (BIT_DEVICES),
-          .WORD_DEVICES (WORD_DEVICES),
-          .MUL_DSP      (MUL_DSP),
-          .MUL_LATENCY  (MUL_LATENCY),
-          .DIV_LATENCY  (DIV_LATENCY),
-          .MUL32_LATENCY(MUL32_LATENCY),
-          .DIV32_LATENCY(DIV32_LATENCY)
-      ) mpu (
-          .clk_i        (clk_i),
-          .rst_ni       (rst_n),
-          .start_i      (start),
-          .done_o       (done),
-          // verilator lint_off PINCONNECTEMPTY
-          .busy_o       (),
-          // verilator lint_on PINCONNECTEMPTY
-          .error_o      (error),
-          .clocks_o     (clocks),
-          .load_valid_i (load_valid),
-          .load_write_i (load_write),
-          .load_space_i (load_space),
-          .load_addr_i  (load_addr),
-          .load_data_i  (load_data),
-          .load_rvalid_o(load_rvalid),
-          .load_rdata_o (load_rdata)
-      );
-    end else if (MPU == 2) begin : gen_mpu2
-      mpu2 #(
-          .STEPS       (STEPS),
-          .BIT_DEVICES (BIT_DEVICES),
-          .WORD_DEVICES(WORD_DEVICES),
-          .MUL_DSP     (MUL_DSP),
-          .MUL_LATENCY (MUL_LATENCY),
-          .DIV_LATENCY (DIV_LATENCY)
-      ) mpu (
-          .clk_i        (clk_i),
-          .rst_ni       (rst_n),
-          .start_i      (start),
-          .done_o       (done),
-          // verilator lint_off PINCONNECTEMPTY
-          .busy_o       (),
-          // verilator lint_on PINCONNECTEMPTY
-          .error_o      (error),
-          .clocks_o     (clocks),
-          .load_valid_i (load_valid),
-          .load_write_i (load_write),
-          .load_space_i (load_space),
-          .load_addr_i  (load_addr),
-          .load_data_i  (load_data),
-          .load_rvalid_o(load_rvalid),
-          .load_rdata_o (load_rdata)
-      );
-    end else begin : gen_mpu3
-      mpu3 #(
-          .STEPS       (STEPS),
-          .BIT_DEVICES (BIT_DEVICES),
-          .WORD_DEVICES(WORD_DEVICES),
-          .MUL_DSP     (MUL_DSP),
-          .MUL_LATENCY (MUL_LATENCY),
-          .DIV_LATENCY (DIV_LATENCY)
-      ) mpu (
-          .clk_i        (clk_i),
-          .rst_ni       (rst_n),
-          .start_i      (start),
-          .done_o       (done),
-          // verilator lint_off PINCONNECTEMPTY
-          .busy_o       (),
-          // verilator lint_on PINCONNECTEMPTY
-          .error_o      (error),
-          .clocks_o     (clocks),
-          .load_valid_i (load_valid),
-          .load_write_i (load_write),
-          .load_space_i (load_space),
-          .load_addr_i  (load_addr),
-          .load_data_i  (load_data),
-          .load_rvalid_o(load_rvalid),
-          .load_rdata_o (load_rdata)
-      );
-    end
-  endgenerate
+  processor #(
+      .MPU          (MPU),
+      .STEPS        (STEPS),
+      .BIT_DEVICES  (BIT_DEVICES),
+      .WORD_DEVICES (WORD_DEVICES),
+      .MUL_DSP      (MUL_DSP),
+      .MUL_LATENCY  (MUL_LATENCY),
+      .DIV_LATENCY  (DIV_LATENCY),
+      .MUL32_LATENCY(MUL32_LATENCY),
+      .DIV32_LATENCY(DIV32_LATENCY)
+  ) mpu (
+      .clk_i        (clk_i),
+      .rst_ni       (rst_n),
+      .start_i      (start),
+      .done_o       (done),
+      .error_o      (error),
+      .clocks_o     (clocks),
+      .load_valid_i (load_valid),
+      .load_write_i (load_write),
+      .load_space_i (load_space),
+      .load_addr_i  (load_addr),
+      .load_data_i  (load_data),
+      .load_rvalid_o(load_rvalid),
+      .load_rdata_o (load_rdata)
+  );
 
 endmodule
 `default_nettype wire

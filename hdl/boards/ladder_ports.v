@@ -81,11 +81,14 @@ module ladder_ports #(
       .clk_i          (clk_i),
       .rst_ni         (rst_ni),
       .baud_step_i    (baud_step_q),
+      .parity_i       (2'd0),
       .rx_i           (rx_i),
       .valid_o        (rx_valid),
       .data_o         (rx_data),
       // verilator lint_off PINCONNECTEMPTY
-      .framing_error_o()
+      .active_o       (),
+      .framing_error_o(),
+      .parity_error_o ()
       // verilator lint_on PINCONNECTEMPTY
   );
 
@@ -93,9 +96,14 @@ module ladder_ports #(
       .clk_i      (clk_i),
       .rst_ni     (rst_ni),
       .baud_step_i(baud_step_q),
+      .parity_i   (2'd0),
+      .two_stops_i(1'b0),
       .valid_i    (tx_valid),
       .data_i     (tx_data),
       .ready_o    (tx_ready),
+      // verilator lint_off PINCONNECTEMPTY
+      .busy_o     (),
+      // verilator lint_on PINCONNECTEMPTY
       .tx_o       (tx_o)
   );
 

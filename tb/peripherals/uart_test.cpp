@@ -38,6 +38,7 @@ struct Received {
 Received receive(const std::vector<bool>& levels, double clocks_a_bit) {
   Clocked<Vuart_rx> rx;
   rx->baud_step_i = baud_step(clocks_a_bit);
+  rx->parity_i = 0;
   rx->rx_i = 1;
   rx.reset();
   Received received;
@@ -56,6 +57,8 @@ class Uart : public testing::TestWithParam<double> {};
 std::vector<bool> transmit(const std::vector<std::uint8_t>& bytes, double clocks_a_bit, int gap) {
   Clocked<Vuart_tx> tx;
   tx->baud_step_i = baud_step(clocks_a_bit);
+  tx->parity_i = 0;
+  tx->two_stops_i = 0;
   tx->valid_i = 0;
   tx.reset();
   std::vector<bool> levels;

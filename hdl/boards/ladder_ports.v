@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// A processor's device ports with the board's UART and PWM behind them, and the registers that the serial
-// link sets. Load port accesses to space 5 are these registers, written between scans, 0 after reset:
+// A processor's device ports with the board's UART and PWM behind them, and the registers that the host
+// sets. Load port accesses to space 5 are these registers, written between scans, 0 after reset:
 //   0   bit ports of the program in bits 1:0, word ports in bits 14:8; both 0: the program has no ports
 //   1   baud rate, low 16 bits of baud_step_i (uart_tx.v)   2   its high 4 bits
-// All other accesses go to the processor. No ADC and no lasting memory: samples are 0, the memory is never
-// ready.
+// All other accesses go to the processor. exchange_rst_ni resets the exchange alone, with the processor.
+// ADC and lasting memory as in port_exchange.v. pwm_on_i 0: the PWM output is off at once. duty_valid_i: duty_i
+// and hz_i take the place of what the program's ports say.
 `default_nettype none
 
 module ladder_ports #(
@@ -12,33 +13,45 @@ module ladder_ports #(
     parameter integer WORD_DEVICES = 256,
     parameter integer CLOCK_HZ     = 12000000
 ) (
-    input  wire        clk_i,
-    input  wire        rst_ni,
+    input  wire         clk_i,
+    input  wire         rst_ni,
+    input  wire         exchange_rst_ni,
     // pins
-    input  wire        rx_i,
-    output wire        tx_o,
-    output wire        pwm_o,
-    // from the link
-    input  wire        scan_i,
-    output wire        busy_o,
-    output wire        done_o,
-    input  wire        host_valid_i,
-    input  wire        host_write_i,
-    input  wire [ 2:0] host_space_i,
-    input  wire [19:0] host_addr_i,
-    input  wire [15:0] host_data_i,
-    output wire        host_rvalid_o,
-    output wire [15:0] host_rdata_o,
+    input  wire         rx_i,
+    output wire         tx_o,
+    output wire         pwm_o,
+    // PWM
+    input  wire         pwm_on_i,
+    input  wire         duty_valid_i,
+    input  wire [ 15:0] duty_i,
+    input  wire [ 31:0] hz_i,
+    // ADC and lasting memory
+    input  wire [127:0] adc_i,
+    input  wire         persist_ready_i,
+    output wire         keep_valid_o,
+    output wire [  5:0] keep_index_o,
+    output wire [ 15:0] keep_value_o,
+    // from the host
+    input  wire         scan_i,
+    output wire         busy_o,
+    output wire         done_o,
+    input  wire         host_valid_i,
+    input  wire         host_write_i,
+    input  wire [  2:0] host_space_i,
+    input  wire [ 19:0] host_addr_i,
+    input  wire [ 15:0] host_data_i,
+    output wire         host_rvalid_o,
+    output wire [ 15:0] host_rdata_o,
     // the processor
-    output wire        start_o,
-    input  wire        done_i,
-    output wire        load_valid_o,
-    output wire        load_write_o,
-    output wire [ 2:0] load_space_o,
-    output wire [19:0] load_addr_o,
-    output wire [15:0] load_data_o,
-    input  wire        load_rvalid_i,
-    input  wire [15:0] load_rdata_i
+    output wire         start_o,
+    input  wire         done_i,
+    output wire         load_valid_o,
+    output wire         load_write_o,
+    output wire [  2:0] load_space_o,
+    output wire [ 19:0] load_addr_o,
+    output wire [ 15:0] load_data_o,
+    input  wire         load_rvalid_i,
+    input  wire [ 15:0] load_rdata_i
 );
 
   localparam [2:0] SPACE_PORTS = 3'd5;
@@ -111,9 +124,9 @@ module ladder_ports #(
       .CLOCK_HZ(CLOCK_HZ)
   ) pwm (
       .clk_i (clk_i),
-      .rst_ni(rst_ni),
-      .duty_i(duty),
-      .hz_i  (hz),
+      .rst_ni(rst_ni && pwm_on_i),
+      .duty_i(duty_valid_i ? duty_i : duty),
+      .hz_i  (duty_valid_i ? hz_i : hz),
       .pwm_o (pwm_o)
   );
 
@@ -122,7 +135,7 @@ module ladder_ports #(
       .WORD_DEVICES(WORD_DEVICES)
   ) exchange (
       .clk_i          (clk_i),
-      .rst_ni         (rst_ni),
+      .rst_ni         (exchange_rst_ni),
       .scan_i         (scan_i),
       .busy_o         (busy_o),
       .done_o         (done_o),
@@ -135,18 +148,18 @@ module ladder_ports #(
       .tx_data_o      (tx_data),
       .pwm_duty_o     (duty),
       .pwm_hz_o       (hz),
-      .adc_i          (128'd0),
-      .persist_ready_i(1'b0),
+      .adc_i          (adc_i),
+      .persist_ready_i(persist_ready_i),
       .restore_valid_i(1'b0),
       .restore_index_i(6'd0),
       .restore_value_i(16'd0),
       // verilator lint_off PINCONNECTEMPTY
       .rx_lost_o      (),
-      .keep_valid_o   (),
-      .keep_index_o   (),
-      .keep_value_o   (),
       .restore_ready_o(),
       // verilator lint_on PINCONNECTEMPTY
+      .keep_valid_o   (keep_valid_o),
+      .keep_index_o   (keep_index_o),
+      .keep_value_o   (keep_value_o),
       .host_valid_i   (host_valid_i && !ours),
       .host_ready_o   (host_ready),
       .host_write_i   (host_write_i),

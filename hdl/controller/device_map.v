@@ -39,7 +39,7 @@ module device_map #(
       .DEPTH(BIT_POINTS),
       .ADDR_BITS(BIT_POINT),
       .CLEARED(0)
-  ) bits (
+  ) bit_map (
       .clk_i       (clk_i),
       .read_i      (read_i),
       .read_addr_i (point_i[BIT_POINT-1:0]),
@@ -54,7 +54,7 @@ module device_map #(
       .DEPTH(WORD_POINTS),
       .ADDR_BITS(WORD_POINT),
       .CLEARED(0)
-  ) words (
+  ) word_map (
       .clk_i       (clk_i),
       .read_i      (read_i),
       .read_addr_i (point_i[WORD_POINT-1:0]),

@@ -69,7 +69,10 @@ module host_exchange (
   always @(posedge clk_i) begin
     if (register_write) begin
       case (addr_i)
-        CONTROL: {mask_q, raw_q, words_q, with_read_q, with_write_q} <= wdata_i[4:0];
+        CONTROL: begin
+          {raw_q, with_read_q, with_write_q} <= {wdata_i[3], wdata_i[1:0]};
+          {mask_q, words_q} <= {wdata_i[4], wdata_i[2] || wdata_i[4]};
+        end
         WRITE_FIRST: write_first_q <= wdata_i;
         WRITE_COUNT: write_count_q <= wdata_i[11:0];
         READ_FIRST: read_first_q <= wdata_i;
@@ -140,7 +143,7 @@ module host_exchange (
   end
 
   assign map_read_o  = issue;
-  assign map_words_o = words_q || mask_q;
+  assign map_words_o = words_q;
   assign map_point_o = point_q;
 
   // ---- point to access: map and buffer, access --------------------------------------------------
@@ -148,7 +151,7 @@ module host_exchange (
   reg looked_write_q;
   reg looked_mask_q;
   reg [3:0] looked_bit_q;
-  reg [15:0] looked_point_q;
+  reg [14:0] looked_point_q;
   reg access_q;
   reg read_q;
   reg host_write_q;
@@ -171,16 +174,16 @@ module host_exchange (
     looked_write_q <= issue_write;
     looked_mask_q <= state_q == MASK_WRITE;
     looked_bit_q <= index_q[3:0];
-    looked_point_q <= point_q;
+    looked_point_q <= point_q[14:0];
     host_write_q <= looked_write_q;
-    host_addr_q <= raw_q ? looked_point_q[14:0] : map_device_i;
+    host_addr_q <= raw_q ? looked_point_q : map_device_i;
     if (looked_mask_q) host_data_q <= masked_q;
     else host_data_q <= words_q ? buffer_data : {15'd0, buffer_data[looked_bit_q]};
   end
 
   assign host_valid_o = access_q;
   assign host_write_o = host_write_q;
-  assign host_words_o = map_words_o;
+  assign host_words_o = words_q;
   assign host_addr_o  = host_addr_q;
   assign host_data_o  = host_data_q;
 

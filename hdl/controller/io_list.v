@@ -56,7 +56,7 @@ module io_list #(
     input  wire              sel_register_i,
     input  wire [       7:0] bus_addr_i,
     input  wire              bus_write_i,
-    input  wire [      15:0] bus_wdata_i
+    input  wire [       9:0] bus_wdata_i
 );
 
   localparam [7:0] FORCE_ENTRY = `RUNG_REG_FORCE_ENTRY;
@@ -176,9 +176,10 @@ module io_list #(
   endgenerate
 
   wire [3:0] kind = entry_kind_q[11:8];
-  wire [7:0] index = entry_kind_q[7:0];
+  wire [5:0] index = entry_kind_q[5:0];
+  wire unused_index = &{1'b0, entry_kind_q[7:6]};
   wire [15:0] tick = index[1] ? ticks_i[47:32] : index[0] ? ticks_i[31:16] : ticks_i[15:0];
-  wire pin = pins[index[5:0]];
+  wire pin = pins[index];
   wire status = status_i[index[3:0]];
   reg [15:0] value;
 

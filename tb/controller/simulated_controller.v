@@ -75,7 +75,7 @@ module simulated_controller #(
           .line_o      (line_o)
       );
       assign out_o[63:`RUNG_BOARD_SIMULATED_OUTPUTS] = {64 - `RUNG_BOARD_SIMULATED_OUTPUTS{1'b0}};
-      assign latch_o = controller.core.fabric.latch;
+      assign latch_o = controller.core.bus.latch;
       assign baud_step_o = controller.host_uart.baud_step_i;
       assign parity_o = controller.host_uart.parity_i;
     end else begin : gen_hx8k
@@ -109,7 +109,7 @@ module simulated_controller #(
           .line_o      (line_o)
       );
       assign out_o[63:`RUNG_BOARD_HX8K_OUTPUTS] = {64 - `RUNG_BOARD_HX8K_OUTPUTS{1'b0}};
-      assign latch_o = controller.core.fabric.latch;
+      assign latch_o = controller.core.bus.latch;
       assign baud_step_o = controller.host_uart.baud_step_i;
       assign parity_o = controller.host_uart.parity_i;
     end

@@ -9,6 +9,8 @@ SHELL := /bin/bash
 
 MPU     ?= 1 2 3
 BOARD   ?= ulx3s hx8k
+# Boards of the controller: all of them unless BOARD is given
+PLC_BOARD := $(if $(filter file,$(origin BOARD)),ulx3s hx8k tangnano20k,$(BOARD))
 SEEDS   ?= 1 2 3 4 5
 CONFIG  ?= ecp5
 PROGRAM ?=
@@ -34,6 +36,9 @@ help: ## this list
 	@grep -E '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | \
 	  awk -F ':.*## ' '{ printf "  %-9s %s\n", $$1, $$2 }'
 	@echo 'Values (defaults): MPU="$(MPU)" BOARD="$(BOARD)" SEEDS="$(SEEDS)" CONFIG=$(CONFIG) JOBS=$(JOBS)'
+
+# What stands in the micro-sequencer's ROM, for the boards: nothing is compiled yet
+firmware :=
 
 # One CMake build directory: configure if needed, then build.
 # $(1) directory, $(2) options of configuring, $(3) of building
@@ -76,7 +81,7 @@ fuzz: ## fuzz the readers of files, SECONDS= for each: reports/fuzz.md, tb/fuzz/
 	@$(PYTHON) scripts/fuzz.py --seconds $(SECONDS) --jobs $(JOBS)
 
 .PHONY: lint
-lint: ## Verilator -Wall, verible, clang-format, the instruction set page
+lint: ## Verilator -Wall, verible, pins of the boards, clang-format, the instruction set page
 	@scripts/setup.sh lint
 	@$(VENV)/python scripts/lint.py
 
@@ -95,6 +100,26 @@ pnr: ## place and route: area and clock, into reports/ if all of them run; MPU= 
 	@scripts/setup.sh flow
 	@$(VENV)/python scripts/pnr.py $(FLOW) --seeds $(SEEDS) --jobs $(JOBS)
 	@if [ -e reports/area-timing.json ]; then $(PYTHON) scripts/report_area.py; fi
+
+.PHONY: bit
+bit: ## bitstreams of the controller: build/bit; BOARD=ulx3s, hx8k or tangnano20k, without it all
+	@scripts/setup.sh flow
+	$(firmware)
+	@$(VENV)/python scripts/bit.py --board $(PLC_BOARD) --seeds $(SEEDS)
+
+.PHONY: prog
+prog: ## load a board's flash with its bitstream; BOARD=, PROG=--sram (until power is off), --dry-run
+	@if [ $(words $(PLC_BOARD)) != 1 ]; then \
+	  echo 'which board? make prog BOARD=ulx3s, hx8k or tangnano20k' >&2; exit 2; fi
+	@scripts/setup.sh prog
+	@$(MAKE) --no-print-directory bit
+	@$(VENV)/python scripts/prog.py --board $(PLC_BOARD) $(PROG)
+
+.PHONY: boards
+boards: ## the controller on its boards: area and clock over seeds 1 to 3: reports/boards.md
+	@scripts/setup.sh flow
+	$(firmware)
+	@$(VENV)/python scripts/boards.py --jobs $(JOBS)
 
 .PHONY: bench
 bench: build ## scan times of the samples beside soft cores and this machine, into reports/
@@ -115,11 +140,12 @@ programs: build ## real lists and LDmicro programs: which run, what each instruc
 	@$(PYTHON) scripts/programs_report.py
 
 .PHONY: report
-report: ## all reports, in order: steps, programs, area and clock, bench
+report: ## all reports, in order: steps, programs, area and clock, boards, bench
 	@scripts/setup.sh bench
 	@$(MAKE) --no-print-directory steps
 	@$(MAKE) --no-print-directory programs
 	@$(MAKE) --no-print-directory pnr
+	@$(MAKE) --no-print-directory boards
 	@$(MAKE) --no-print-directory bench
 
 .PHONY: clean

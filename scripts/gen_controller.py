@@ -94,6 +94,8 @@ def verilog(tables, notice):
         out.append(f"`define RUNG_BOARD_{name.upper()} .BOARD_ID({board['id']}), "
                    f".INPUTS({len(board['inputs'])}), .OUTPUTS({len(board['outputs'])}), "
                    f".FLASH_BASE({board['flash_base']})")
+        for what in ("inputs", "outputs"):
+            out.append(f"`define RUNG_BOARD_{name.upper()}_{what.upper()} {len(board[what])}")
     return "\n".join(out + ["\n`endif\n"])
 
 

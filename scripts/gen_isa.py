@@ -12,6 +12,7 @@ import tomllib
 from pathlib import Path
 
 import gen_controller
+import gen_firmware
 
 ISA_DIR = Path(__file__).resolve().parent.parent / "hdl" / "isa"
 PROCESSORS = ("mpu1", "mpu2", "mpu3")
@@ -256,6 +257,7 @@ def main(argv):
         write(out / "rung_controller.vh", gen_controller.verilog(tables, NOTICE))
         write(out / "rung_controller.h", gen_controller.c_header(tables, NOTICE))
         write(out / "rung_controller.hpp", gen_controller.cpp(tables, NOTICE))
+        gen_firmware.write_rom(out, tables, NOTICE)
     else:
         print(__doc__, file=sys.stderr)
         return 2

@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Lint everything: each check says its name and, if it finds something, what. Exit 1 if any does.
 
-Verilator -Wall   every processor with and without its retire port, in every board top
+Verilator -Wall   every processor with and without its retire port, in every board top; the controller in its own
 verible           every Verilog file, rules of hdl/verible.rules
+pins              ports of the controller's board tops, constraints and hdl/isa/boards.toml agree
 clang-format      every C and C++ file
 isa page          hdl/isa/README.md is what the tables give
 """
@@ -15,8 +16,9 @@ import subprocess
 import sys
 from pathlib import Path
 
+from flow import pins as board_pins
 from flow import tools
-from flow.designs import BOARDS, MPUS, rung_design
+from flow.designs import BOARDS, MPUS, PLC_BOARDS, plc_design, rung_design
 
 ROOT = tools.ROOT
 VERILATOR = os.environ.get("VERILATOR", "verilator")
@@ -38,6 +40,8 @@ def verilator() -> list[str]:
     for board in BOARDS.values():
         for mpu in MPUS:
             runs.append((board.name, list(rung_design(mpu, board).sources), [f"-GMPU={mpu}"]))
+    for board in PLC_BOARDS.values():
+        runs.append((board.name, [*plc_design(board).sources, ROOT / "tb" / "boards" / "USRMCLK.v"], []))
     for top, sources, options in runs:
         found.append(output([VERILATOR, "--lint-only", "-Wall", *INCLUDE, *options,
                              "--top-module", top, *map(str, sources)]))
@@ -57,20 +61,25 @@ def behind_header(said: str, copy: Path, original: Path, header_lines: int) -> s
 
 
 def verible() -> list[str]:
-    """Board tops hold a macro that stands for a parameter list, which verible takes only where it is
-    defined: they are checked behind the header that defines it."""
+    """Board tops hold macros that stand for parameter lists, which verible takes only where they are
+    defined: they are checked behind the headers that define them."""
     rules = f"--rules_config={ROOT / 'hdl' / 'verible.rules'}"
-    tops = [ROOT / "hdl" / "boards" / f"{board}.v" for board in BOARDS]
+    boards = [*BOARDS.values(), *PLC_BOARDS.values()]
+    tops = [ROOT / "hdl" / "boards" / f"{board.name}.v" for board in boards]
     files = [f for folder in ("hdl", "tb") for f in sorted((ROOT / folder).rglob("*.v"))
              if f not in tops]
     found = [output([VERIBLE, rules, *map(str, files)])]
-    header = (tools.GENERATED / "rung_isa.vh").read_text()
+    header = "".join((tools.GENERATED / name).read_text() for name in ("rung_isa.vh", "rung_controller.vh"))
     for top in tops:
         copy = tools.BUILD / "lint" / top.name
         tools.write_file(copy, header + top.read_text())
         found.append(behind_header(output([VERIBLE, rules, str(copy)]), copy, top,
                                    header.count("\n")))
     return found
+
+
+def pins() -> list[str]:
+    return board_pins.check()
 
 
 def clang_format() -> list[str]:
@@ -87,7 +96,7 @@ def isa_page() -> list[str]:
 def main() -> int:
     tools.generate_isa_header()
     clean = True
-    for check in (verilator, verible, clang_format, isa_page):
+    for check in (verilator, verible, pins, clang_format, isa_page):
         found = [text for text in check() if text]
         tools.say(f"lint: {check.__name__.replace('_', '-')}: {'clean' if not found else 'findings'}")
         for text in found:

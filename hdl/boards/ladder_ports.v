@@ -3,8 +3,10 @@
 // link sets. Load port accesses to space 5 are these registers, written between scans, 0 after reset:
 //   0   bit ports of the program in bits 1:0, word ports in bits 14:8; both 0: the program has no ports
 //   1   baud rate, low 16 bits of baud_step_i (uart_tx.v)   2   its high 4 bits
-// All other accesses go to the processor. No ADC and no lasting memory: samples are 0, the memory is never
-// ready.
+// All other accesses go to the processor. The lasting memory is behind keep_* (port_exchange.v); its values are
+// restored through the host's accesses.
+// PWM: off unless pwm_on_i is 1; pwm_given_i puts duty and frequency from outside in the place of the ports'.
+// scan_rst_ni resets the exchange alone, as rst_ni does with everything.
 `default_nettype none
 
 module ladder_ports #(
@@ -14,10 +16,21 @@ module ladder_ports #(
 ) (
     input  wire        clk_i,
     input  wire        rst_ni,
+    input  wire        scan_rst_ni,
     // pins
     input  wire        rx_i,
     output wire        tx_o,
     output wire        pwm_o,
+    // PWM from outside, samples, lasting memory
+    input  wire        pwm_on_i,
+    input  wire        pwm_given_i,
+    input  wire [15:0] pwm_duty_i,
+    input  wire [31:0] pwm_hz_i,
+    input  wire [127:0] adc_i,
+    input  wire        persist_ready_i,
+    output wire        keep_valid_o,
+    output wire [ 5:0] keep_index_o,
+    output wire [15:0] keep_value_o,
     // from the link
     input  wire        scan_i,
     output wire        busy_o,
@@ -111,9 +124,9 @@ module ladder_ports #(
       .CLOCK_HZ(CLOCK_HZ)
   ) pwm (
       .clk_i (clk_i),
-      .rst_ni(rst_ni),
-      .duty_i(duty),
-      .hz_i  (hz),
+      .rst_ni(rst_ni && pwm_on_i),
+      .duty_i(pwm_given_i ? pwm_duty_i : duty),
+      .hz_i  (pwm_given_i ? pwm_hz_i : hz),
       .pwm_o (pwm_o)
   );
 
@@ -122,7 +135,7 @@ module ladder_ports #(
       .WORD_DEVICES(WORD_DEVICES)
   ) exchange (
       .clk_i          (clk_i),
-      .rst_ni         (rst_ni),
+      .rst_ni         (scan_rst_ni),
       .scan_i         (scan_i),
       .busy_o         (busy_o),
       .done_o         (done_o),
@@ -135,18 +148,18 @@ module ladder_ports #(
       .tx_data_o      (tx_data),
       .pwm_duty_o     (duty),
       .pwm_hz_o       (hz),
-      .adc_i          (128'd0),
-      .persist_ready_i(1'b0),
+      .adc_i          (adc_i),
+      .persist_ready_i(persist_ready_i),
       .restore_valid_i(1'b0),
       .restore_index_i(6'd0),
       .restore_value_i(16'd0),
       // verilator lint_off PINCONNECTEMPTY
       .rx_lost_o      (),
-      .keep_valid_o   (),
-      .keep_index_o   (),
-      .keep_value_o   (),
       .restore_ready_o(),
       // verilator lint_on PINCONNECTEMPTY
+      .keep_valid_o   (keep_valid_o),
+      .keep_index_o   (keep_index_o),
+      .keep_value_o   (keep_value_o),
       .host_valid_i   (host_valid_i && !ours),
       .host_ready_o   (host_ready),
       .host_write_i   (host_write_i),

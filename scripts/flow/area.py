@@ -13,7 +13,7 @@ from typing import Any
 from flow import place_route, stages, synthesis
 from flow.designs import Design
 
-FLIP_FLOP = re.compile(r"TRELLIS_FF$|SB_DFF")
+FLIP_FLOP = re.compile(r"TRELLIS_FF$|SB_DFF|DFF")
 LUT = re.compile(r"(SB_)?LUT4$")
 
 
@@ -34,15 +34,15 @@ def measure(design: Design, seeds: list[int], jobs: int) -> dict[str, Any]:
     names = design.board.family.utilization
 
     def used(what: str) -> int:
-        return median.used.get(names[what], 0)
+        return sum(median.used.get(name, 0) for name in names[what])
 
     link = [kind for name, kind in types.items() if re.search(r"\b(link|power_on_reset|ports)\.", name)]
     return {
         "logic_cells": used("logic_cells"),
-        "logic_cells_available": median.available[names["logic_cells"]],
+        "logic_cells_available": median.available[names["logic_cells"][0]],
         "flip_flops": sum(bool(FLIP_FLOP.match(kind)) for kind in types.values()),
         "block_rams": used("block_rams"),
-        "block_rams_available": median.available[names["block_rams"]],
+        "block_rams_available": median.available[names["block_rams"][0]],
         "dsps": used("dsps"),
         "link_luts": sum(bool(LUT.match(kind)) for kind in link),
         "link_flip_flops": sum(bool(FLIP_FLOP.match(kind)) for kind in link),

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What is synthesised: each processor in each board top, and how each board's FPGA is driven."""
+"""What is synthesised: each processor in its board tops, the controller in its own, and how each board's
+FPGA is driven."""
 from __future__ import annotations
 
 from dataclasses import dataclass
@@ -17,17 +18,20 @@ class Family:
     synth: str                    # the Yosys command with its options
     nextpnr: str
     nextpnr_options: tuple[str, ...]
-    utilization: dict[str, str]   # our name -> nextpnr's name of the cell type
+    utilization: dict[str, tuple[str, ...]]   # our name -> nextpnr's names of the cell types
+    layout: str                   # nextpnr's option for its result, from which the bitstream is packed
+    pack: tuple[str, ...]         # the packer; {layout} and {bitstream} stand for files
+    suffix: str                   # of a bitstream
 
 
 @dataclass(frozen=True)
 class Board:
-    """A board: its FPGA, the constraint file, the configuration of hdl/isa/configs.toml."""
+    """A board top: its FPGA, the constraint file, the configuration of hdl/isa/configs.toml."""
     name: str                     # also the name of the top module
     title: str
     family: Family
     device: tuple[str, ...]       # nextpnr options that name device, package and grade
-    constraints: tuple[str, Path] | None   # nextpnr's option and the file; None: any pins
+    constraints: tuple[str, Path] | None   # nextpnr's option and the file (behind a "=": joined); None: any pins
     goal_mhz: int                 # --freq: a little above what is reached
     config: str                   # of the processors; "" for other cores
 
@@ -35,33 +39,66 @@ class Board:
 # abc9 knows the delays of cells and of block RAMs. The static placer gave MPU3, whose block RAMs lie
 # all over the chip, a quarter more clock than the default on ECP5, and less on iCE40.
 ECP5 = Family("ecp5", "synth_ecp5 -abc9", tools.NEXTPNR_ECP5, ("--placer", "static"),
-              {"logic_cells": "TRELLIS_COMB", "block_rams": "DP16KD", "dsps": "MULT18X18D"})
+              {"logic_cells": ("TRELLIS_COMB",), "flip_flops": ("TRELLIS_FF",),
+               "block_rams": ("DP16KD",), "dsps": ("MULT18X18D",)},
+              "--textcfg", (tools.ECPPACK, "--compress", "{layout}", "{bitstream}"), "bit")
 ICE40 = Family("ice40", "synth_ice40 -abc9 -device hx", tools.NEXTPNR_ICE40, (),
-               {"logic_cells": "ICESTORM_LC", "block_rams": "ICESTORM_RAM", "dsps": ""})
+               {"logic_cells": ("ICESTORM_LC",), "flip_flops": (), "block_rams": ("ICESTORM_RAM",), "dsps": ()},
+               "--asc", (tools.ICEPACK, "{layout}", "{bitstream}"), "bin")
+# The flash's pins are the configuration's until mspi_as_gpio gives them to the design.
+GW2A = Family("gowin", "synth_gowin -family gw2a", tools.NEXTPNR_GOWIN, (),
+              {"logic_cells": ("LUT4",), "flip_flops": ("DFF",), "block_rams": ("BSRAM",), "dsps": ()},
+              "--write", (tools.GOWIN_PACK, "--device", "GW2A-18C", "--mspi_as_gpio", "-o", "{bitstream}",
+                          "{layout}"), "fs")
 
+ULX3S_85F = ("--85k", "--package", "CABGA381", "--speed", "6")
+HX8K_CT256 = ("--hx8k", "--package", "ct256")
+TANG_NANO_20K = ("--device", "GW2AR-LV18QN88C8/I7", "--vopt", "family=GW2A-18C")
+
+
+def constraint(name: str) -> Path:
+    return tools.ROOT / "constraints" / name
+
+
+# The processors' board tops
 BOARDS = {
     "ulx3s": Board("ulx3s", "ULX3S, ECP5-85F grade 6", ECP5,
-                   ("--85k", "--package", "CABGA381", "--speed", "6"),
-                   ("--lpf", tools.ROOT / "constraints" / "ulx3s.lpf"), 120, "ecp5"),
-    "hx8k": Board("hx8k", "iCE40-HX8K breakout", ICE40, ("--hx8k", "--package", "ct256"),
-                  ("--pcf", tools.ROOT / "constraints" / "hx8k.pcf"), 80, "hx8k"),
+                   ULX3S_85F, ("--lpf", constraint("ulx3s.lpf")), 120, "ecp5"),
+    "hx8k": Board("hx8k", "iCE40-HX8K breakout", ICE40, HX8K_CT256,
+                  ("--pcf", constraint("hx8k.pcf")), 80, "hx8k"),
+}
+
+# The controller's board tops. The clock is the board's: nothing is won by a faster one.
+PLC_BOARDS = {
+    "ulx3s": Board("plc_ulx3s", "ULX3S, ECP5-85F grade 6", ECP5, ULX3S_85F,
+                   ("--lpf", constraint("plc_ulx3s.lpf")), 25, "ecp5"),
+    "hx8k": Board("plc_hx8k", "iCE40-HX8K breakout", ICE40, HX8K_CT256,
+                  ("--pcf", constraint("plc_hx8k.pcf")), 12, "hx8k"),
+    "tangnano20k": Board("plc_tangnano20k", "Tang Nano 20K, GW2AR-18", GW2A, TANG_NANO_20K,
+                         ("--vopt=cst=", constraint("plc_tangnano20k.cst")), 27, "gw2a"),
 }
 
 
 @dataclass(frozen=True)
 class Design:
     """One thing to synthesise, place and route."""
-    name: str                     # of its folder under build/pnr
+    name: str                     # of its folder
     top: str
     sources: tuple[Path, ...]
     include: tuple[Path, ...]
     parameters: tuple[tuple[str, int], ...]
     board: Board
     ours: bool = True             # False: third-party Verilog, whose warnings are not ours
+    kind: str = "pnr"             # folder under build
+    data: tuple[Path, ...] = ()   # files that the Verilog reads
 
     @property
     def folder(self) -> Path:
-        return tools.BUILD / "pnr" / self.name
+        return tools.BUILD / self.kind / self.name
+
+    def layout(self, seed: int) -> Path:
+        """What nextpnr made of a seed, for the packer."""
+        return self.folder / f"seed{seed}.layout"
 
 
 def rung_design(mpu: int, board: Board) -> Design:
@@ -73,3 +110,14 @@ def rung_design(mpu: int, board: Board) -> Design:
         for name in ("power_on_reset", "serial_link", "ladder_ports", "board_core", board.name)]
     return Design(f"{board.name}-mpu{mpu}", board.name, tuple(sources), (tools.GENERATED, hdl / "core"),
                   (("MPU", mpu),), board)
+
+
+def plc_design(board: Board) -> Design:
+    """The controller in a board top of its own."""
+    hdl = tools.ROOT / "hdl"
+    folders = [hdl, hdl / "core", hdl / "peripherals", hdl / "controller"]
+    sources = [source for folder in folders for source in sorted(folder.glob("*.v"))]
+    sources += sorted((hdl / "controller" / "micro").glob("*.v")) + [
+        hdl / "boards" / "power_on_reset.v", hdl / "boards" / f"{board.name}.v"]
+    return Design(board.name, board.name, tuple(sources), (tools.GENERATED, hdl / "core"), (), board,
+                  kind="bit")

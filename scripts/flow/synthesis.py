@@ -53,7 +53,7 @@ def synthesise(design: Design) -> Path:
     stamp = design.folder / "netlist.inputs"
     text = script(design, netlist)
     headers = [header for folder in design.include for header in sorted(folder.glob("*.vh"))]
-    want = tools.digest([text, yosys_version()], [*design.sources, *headers])
+    want = tools.digest([text, yosys_version()], [*design.sources, *headers, *design.data])
     if tools.up_to_date(stamp, want, [netlist]):
         return netlist
     tools.say(f"{design.name}: synthesis")

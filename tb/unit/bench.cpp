@@ -36,8 +36,8 @@ bool same(const Retired& a, const Retired& b) {
 
 std::vector<Target> targets(const std::vector<isa::Mpu>& mpus) {
   std::vector<Target> targets;
-  for (const isa::Config& config : isa::configs()) {
-    for (const isa::Mpu mpu : mpus) targets.push_back({mpu, &config});
+  for (const isa::Config* config : distinct_configs()) {
+    for (const isa::Mpu mpu : mpus) targets.push_back({mpu, config});
   }
   return targets;
 }

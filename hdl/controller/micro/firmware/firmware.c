@@ -69,10 +69,7 @@ u16 force_list[HOLDING_FORCE_LIST_COUNT];  // as register force_list
 u16 force_count;
 
 // a is one of `count` numbers from `first` on.
-static u16 within(u16 a, u16 first, u16 count) {
-  a = a - first;
-  return a < count;
-}
+#define within(a, first, count) ((u16)((a) - (first)) < (count))
 
 static u16 scan_state(void) { return io_read(REG(SCAN_STATUS)) & 3; }
 
@@ -86,6 +83,7 @@ static u16 milliseconds_since(u16 start) {
 #include "flash.c"
 #include "devices.c"
 #include "retain.c"
+#include "load_file.c"
 #include "program.c"
 #include "force.c"
 #include "registers.c"

@@ -166,21 +166,14 @@ static u16 serve_devices(void) {
     control = control | READ;
   }
   if (write_count + read_count > exchange_points) return no_program ? FAILURE : ILLEGAL_VALUE;
-  switch (function) {
-    case WRITE_COIL:
-      io_write(MICRO_EXCHANGE_BUFFER, rx(4) & 1);
-      break;
-    case MASK_WRITE:
-      io_write(REG(EXCHANGE_AND), rx_word(4));
-      io_write(REG(EXCHANGE_OR), rx_word(6));
-      control = WORDS | MASK | WRITE;
-      break;
-    default:
-      for (k = 0; k < bytes_of(write_count); k = k + 2) {
-        word = rx_word(values_at + k);
-        if (!words) word = word << 8 | word >> 8;
-        io_write(MICRO_EXCHANGE_BUFFER + (k >> 1), word);
-      }
+  if (function == MASK_WRITE) control = control | MASK;
+  io_write(REG(EXCHANGE_AND), rx_word(4));
+  io_write(REG(EXCHANGE_OR), rx_word(6));
+  // Bits are in the buffer with the lowest byte first; the 0xFF00 of one coil becomes 1 so, too.
+  for (k = 0; k < bytes_of(write_count); k = k + 2) {
+    word = rx_word(values_at + k);
+    if (!words) word = word << 8 | word >> 8;
+    io_write(MICRO_EXCHANGE_BUFFER + (k >> 1), word);
   }
   if (exchange(control)) return FAILURE;
   if (read_count) {

@@ -192,16 +192,16 @@ static u16 do_load(u16 value) {
 // Words that a window at window_wanted has: 64, or less at the end of the file; 0: there can be
 // none.
 static u16 window_size(void) {
-  u16 low;
-  low = load[0] - window_wanted[0];
-  if (!length_fits(load[0], load[1])) return 0;
-  if ((window_wanted[0] & (HOLDING_WINDOW_COUNT - 1)) || window_wanted[1] > load[1]) return 0;
-  if (window_wanted[1] == load[1]) {
-    if (window_wanted[0] >= load[0]) return 0;
-  } else if (window_wanted[1] + 1 != load[1] || low <= load[0]) {
-    return HOLDING_WINDOW_COUNT;
+  u16 page;
+  u16 pages;
+  if (window_wanted[0] & (HOLDING_WINDOW_COUNT - 1) || window_wanted[1] > 1 ||
+      !length_fits(load[0], load[1])) {
+    return 0;
   }
-  return low < HOLDING_WINDOW_COUNT ? low : HOLDING_WINDOW_COUNT;
+  page = window_wanted[1] << 10 | window_wanted[0] >> 6;
+  pages = load[1] << 10 | load[0] >> 6;
+  if (page < pages) return HOLDING_WINDOW_COUNT;
+  return page == pages ? load[0] & (HOLDING_WINDOW_COUNT - 1) : 0;
 }
 
 // The sector that the window lies in is erased when the first window of it comes.

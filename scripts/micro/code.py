@@ -1,0 +1,371 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Functions to instructions: one accumulator, variables in RAM, temporaries where an expression needs them.
+
+The last argument of a call is in the accumulator, the others in the called function's variables; so is a
+result. A function's first instruction stores that argument.
+"""
+from __future__ import annotations
+
+from pycparser import c_ast
+
+from micro.front import INTRINSICS, Function, Unit, constant, fail
+from micro.isa import MOST, Instruction, Label
+
+BINARY = {"+": "ADD", "-": "SUB", "&": "AND", "|": "OR", "^": "XOR", "==": "EQ", "<": "LTU"}
+IMMEDIATE = {"ADD": "ADDI", "SUB": "SUBI", "AND": "ANDI", "OR": "ORI", "XOR": "XORI", "EQ": "EQI",
+             "LTU": "LTUI"}
+COMMUTATIVE = ("ADD", "AND", "OR", "XOR", "EQ")
+COMPARES = ("==", "!=", "<", "<=", ">", ">=")
+
+
+class Generator:
+    """The code of one function."""
+
+    def __init__(self, unit: Unit, function: Function, registers: int) -> None:
+        self.unit, self.function, self.registers = unit, function, registers
+        self.out: list[Instruction | Label] = []
+        self.labels = 0
+        self.used = 0                      # temporaries in use
+        self.loops: list[tuple[str, str]] = []   # where continue and break go
+
+    # ---- names ---------------------------------------------------------------------------------
+    def emit(self, name: str, operand: int | str | tuple[str, int] = 0) -> None:
+        self.out.append(Instruction(name, operand))
+
+    def label(self) -> str:
+        self.labels += 1
+        return f"{self.function.name}.{self.labels}"
+
+    def place(self, name: str) -> None:
+        self.out.append(Label(name))
+
+    def variable(self, node: c_ast.ID) -> str:
+        """A scalar's name in RAM."""
+        if node.name in self.function.locals:
+            return f"{self.function.name}:{node.name}"
+        if node.name not in self.unit.globals:
+            fail(node, f"{node.name} is not declared")
+        if node.name in self.unit.arrays:
+            fail(node, f"{node.name} is an array")
+        return node.name
+
+    def temporary(self) -> str:
+        name = f"%{self.used}"
+        self.used += 1
+        self.function.locals[name] = 1
+        return f"{self.function.name}:{name}"
+
+    def const(self, node: c_ast.Node) -> int | None:
+        return constant(node, self.unit.constants)
+
+    # ---- expressions ---------------------------------------------------------------------------
+    def number(self, value: int) -> None:
+        self.emit("LOADI", value & MOST)
+        if value > MOST:
+            self.emit("ORH", value >> 11)
+
+    def simple(self, node: c_ast.Node) -> tuple[str, int] | int | None:
+        """What an instruction can name: a small number, a scalar, an array's word at a constant."""
+        value = self.const(node)
+        if value is not None:
+            return value if value <= MOST else None
+        if isinstance(node, c_ast.ID):
+            return (self.variable(node), 0)
+        if isinstance(node, c_ast.ArrayRef):
+            index = self.const(node.subscript)
+            if index is not None:
+                return (self.array(node), index)
+        return None
+
+    def array(self, node: c_ast.ArrayRef) -> str:
+        name = node.name.name if isinstance(node.name, c_ast.ID) else None
+        if name not in self.unit.arrays:
+            fail(node, "an index of what is no array")
+        index = self.const(node.subscript)
+        if index is not None and index >= self.unit.globals[name]:
+            fail(node, f"{name} has {self.unit.globals[name]} words")
+        return name
+
+    def apply(self, operation: str, operand: tuple[str, int] | int) -> None:
+        if isinstance(operand, int):
+            self.emit(IMMEDIATE[operation], operand)
+        else:
+            self.emit(operation, operand)
+
+    def load(self, operand: tuple[str, int] | int) -> None:
+        if isinstance(operand, int):
+            self.number(operand)
+        else:
+            self.emit("LOAD", operand)
+
+    def operate(self, operation: str, left: c_ast.Node, right: c_ast.Node) -> None:
+        """acc = left operation right."""
+        simple_left, simple_right = self.simple(left), self.simple(right)
+        if simple_right is not None:
+            self.expression(left)
+            self.apply(operation, simple_right)
+        elif simple_left is not None and operation in COMMUTATIVE:
+            self.expression(right)
+            self.apply(operation, simple_left)
+        elif simple_left is not None and not has_call(right):
+            mark = self.used
+            self.expression(right)
+            temporary = self.temporary()
+            self.emit("STORE", (temporary, 0))
+            self.load(simple_left)
+            self.emit(operation, (temporary, 0))
+            self.used = mark
+        else:
+            mark = self.used
+            self.expression(left)
+            first = self.temporary()
+            self.emit("STORE", (first, 0))
+            self.expression(right)
+            if operation in COMMUTATIVE:
+                self.emit(operation, (first, 0))
+            else:
+                second = self.temporary()
+                self.emit("STORE", (second, 0))
+                self.emit("LOAD", (first, 0))
+                self.emit(operation, (second, 0))
+            self.used = mark
+
+    def expression(self, node: c_ast.Node) -> None:
+        """acc = node."""
+        value = self.const(node)
+        if value is not None:
+            self.number(value)
+            return
+        simple = self.simple(node)
+        if simple is not None:
+            self.load(simple)
+            return
+        if isinstance(node, c_ast.ArrayRef):
+            name = self.array(node)
+            self.expression(node.subscript)
+            self.emit("LOADX", (name, 0))
+        elif isinstance(node, c_ast.FuncCall):
+            self.call(node, True)
+        elif isinstance(node, c_ast.UnaryOp):
+            self.unary(node)
+        elif isinstance(node, c_ast.BinaryOp):
+            self.binary(node)
+        elif isinstance(node, c_ast.TernaryOp):
+            no, end = self.label(), self.label()
+            self.branch(node.cond, no, False)
+            self.expression(node.iftrue)
+            self.emit("JUMP", end)
+            self.place(no)
+            self.expression(node.iffalse)
+            self.place(end)
+        elif isinstance(node, c_ast.Cast):
+            self.expression(node.expr)
+        else:
+            fail(node, f"{type(node).__name__} is not in the language here")
+
+    def unary(self, node: c_ast.UnaryOp) -> None:
+        if node.op == "~":
+            self.expression(node.expr)
+            self.emit("NOT")
+        elif node.op == "-":
+            self.expression(node.expr)
+            self.emit("NOT")
+            self.emit("ADDI", 1)
+        elif node.op == "!":
+            self.expression(node.expr)
+            self.emit("EQI", 0)
+        else:
+            fail(node, f"operator {node.op} is not in the language here")
+
+    def binary(self, node: c_ast.BinaryOp) -> None:
+        operation = node.op
+        if operation in ("&&", "||", "!=", "<=", ">", ">="):
+            self.truth(node)
+        elif operation in ("<<", ">>"):
+            count = self.const(node.right)
+            if count is None:
+                fail(node, "shifts are by constants")
+            if count > 15:
+                fail(node, "a shift by more than 15 bits")
+            self.expression(node.left)
+            if count:
+                self.emit("SHIFT", count + (16 if operation == ">>" else 0))
+        elif operation == "*":
+            self.multiply(node)
+        elif operation in BINARY:
+            right = self.const(node.right)
+            if operation == "-" and right is not None and right > MOST:
+                self.operate("ADD", node.left, c_ast.Constant("int", str(-right & 0xFFFF), node.coord))
+            else:
+                self.operate(BINARY[operation], node.left, node.right)
+        else:
+            fail(node, f"operator {operation} is not in the language here")
+
+    def multiply(self, node: c_ast.BinaryOp) -> None:
+        left, right = node.left, node.right
+        if self.const(right) is None:
+            left, right = right, left
+        factor = self.const(right)
+        if factor is None or factor & (factor - 1) or not factor:
+            fail(node, "products are by powers of two")
+        self.expression(left)
+        if factor > 1:
+            self.emit("SHIFT", factor.bit_length() - 1)
+
+    def truth(self, node: c_ast.Node) -> None:
+        """acc = 0 or 1."""
+        if isinstance(node, c_ast.BinaryOp) and node.op in COMPARES:
+            if self.compare(node):
+                self.emit("EQI", 0)
+            return
+        no, end = self.label(), self.label()
+        self.branch(node, no, False)
+        self.emit("LOADI", 1)
+        self.emit("JUMP", end)
+        self.place(no)
+        self.emit("LOADI", 0)
+        self.place(end)
+
+    def compare(self, node: c_ast.BinaryOp) -> bool:
+        """acc = the comparison, or its opposite: then true is given."""
+        left, right, operation = node.left, node.right, node.op
+        if operation in ("==", "!="):
+            self.operate("EQ", left, right)
+            return operation == "!="
+        if operation in (">", "<="):
+            # a > c is !(a < c + 1)
+            value = self.const(right)
+            if value is not None and value < 0xFFFF:
+                self.operate("LTU", left, c_ast.Constant("int", str(value + 1), node.coord))
+                return operation == ">"
+            self.operate("LTU", right, left)
+            return operation == "<="
+        value = self.const(right)
+        if value is not None and value > MOST:
+            # a < c is !(c - 1 < a)
+            self.operate("LTU", c_ast.Constant("int", str(value - 1), node.coord), left)
+            return operation == "<"
+        self.operate("LTU", left, right)
+        return operation == ">="
+
+    def branch(self, node: c_ast.Node, target: str, when: bool) -> None:
+        """Jumps to `target` if the condition is `when`."""
+        value = self.const(node)
+        if value is not None:
+            if bool(value) == when:
+                self.emit("JUMP", target)
+        elif isinstance(node, c_ast.UnaryOp) and node.op == "!":
+            self.branch(node.expr, target, not when)
+        elif isinstance(node, c_ast.BinaryOp) and node.op in ("&&", "||"):
+            if (node.op == "||") == when:
+                self.branch(node.left, target, when)
+                self.branch(node.right, target, when)
+            else:
+                skip = self.label()
+                self.branch(node.left, skip, not when)
+                self.branch(node.right, target, when)
+                self.place(skip)
+        elif isinstance(node, c_ast.BinaryOp) and node.op in COMPARES:
+            zero = self.const(node.right) == 0
+            if zero and node.op in ("==", "!="):
+                self.branch(node.left, target, when == (node.op == "!="))
+                return
+            opposite = self.compare(node)
+            self.emit("JNZ" if when != opposite else "JZ", target)
+        else:
+            self.expression(node)
+            self.emit("JNZ" if when else "JZ", target)
+
+    # ---- calls ---------------------------------------------------------------------------------
+    def call(self, node: c_ast.FuncCall, wanted: bool) -> None:
+        name = node.name.name
+        arguments = node.args.exprs if node.args else []
+        expected = INTRINSICS.get(name)
+        if expected is None:
+            expected = len(self.unit.functions[name].parameters)
+        if len(arguments) != expected:
+            fail(node, f"{name} takes {expected} arguments")
+        if name == "io_read":
+            self.read(arguments[0])
+        elif name == "io_write":
+            if wanted:
+                fail(node, "io_write gives nothing")
+            self.write(arguments[0], arguments[1])
+        else:
+            called = self.unit.functions[name]
+            if wanted and not called.gives:
+                fail(node, f"{name} gives nothing")
+            self.pass_arguments(called, arguments)
+            self.emit("CALL", name)
+
+    def pass_arguments(self, called: Function, arguments: list[c_ast.Node]) -> None:
+        mark = self.used
+        waiting: list[tuple[str, str]] = []
+        for i, argument in enumerate(arguments):
+            self.expression(argument)
+            if i == len(arguments) - 1:
+                if waiting:
+                    last = self.temporary()
+                    self.emit("STORE", (last, 0))
+                for temporary, place in waiting:
+                    self.emit("LOAD", (temporary, 0))
+                    self.emit("STORE", (place, 0))
+                if waiting:
+                    self.emit("LOAD", (last, 0))
+                break
+            place = f"{called.name}:{called.parameters[i]}"
+            # A call in a later argument may need the function's variables, or lie over them.
+            if any(has_call(later) for later in arguments[i + 1:]):
+                temporary = self.temporary()
+                self.emit("STORE", (temporary, 0))
+                waiting.append((temporary, place))
+            else:
+                self.emit("STORE", (place, 0))
+        self.used = mark
+
+    def register(self, address: c_ast.Node) -> int | None:
+        """Operand of IN and OUT for a constant address among the registers."""
+        value = self.const(address)
+        if value is None or not 0 <= value - self.registers <= MOST:
+            return None
+        return value - self.registers
+
+    def read(self, address: c_ast.Node) -> None:
+        register = self.register(address)
+        if register is not None:
+            self.emit("IN", register)
+            return
+        self.expression(address)
+        self.emit("INX")
+
+    def write(self, address: c_ast.Node, value: c_ast.Node) -> None:
+        register = self.register(address)
+        if register is not None:
+            self.expression(value)
+            self.emit("OUT", register)
+            return
+        self.indexed(address, value, Instruction("OUTX"))
+
+    def indexed(self, index: c_ast.Node, value: c_ast.Node, store: Instruction) -> None:
+        """x = index, acc = value, then `store`."""
+        mark = self.used
+        if has_call(value):  # it may use x
+            self.expression(value)
+            temporary = self.temporary()
+            self.emit("STORE", (temporary, 0))
+            self.expression(index)
+            self.emit("SETX")
+            self.emit("LOAD", (temporary, 0))
+        else:
+            self.expression(index)
+            self.emit("SETX")
+            self.expression(value)
+        self.out.append(store)
+        self.used = mark
+
+
+def has_call(node: c_ast.Node) -> bool:
+    """Whether evaluating the node calls a function, or does input or output."""
+    if isinstance(node, c_ast.FuncCall):
+        return True
+    return any(has_call(child) for _, child in node.children())

@@ -100,6 +100,19 @@ void keep_flash(const Options& options, const tb::FlashModel& flash) {
   }
 }
 
+// The firmware's start, reading the program from the flash, takes seconds of scaled time: it is
+// simulated at full speed. It ends with a program that runs or a fault; one that waits to be
+// started shows neither.
+void boot(tb::SimulatedController& machine) {
+  constexpr std::uint64_t kSlice = 1000;
+  constexpr std::uint64_t kMost = 6'000'000;
+  using Pin = device::PinChange::Pin;
+  while (stopped == 0 && machine.now() < kMost && !machine.lamp(Pin::Run) &&
+         !machine.lamp(Pin::Fault)) {
+    machine.run(kSlice);
+  }
+}
+
 void set_inputs(const Options& options, device::Server& server) {
   for (const std::string& input : options.inputs) {
     if (input.find('=') == std::string::npos) {
@@ -167,6 +180,7 @@ int device_command(const Options& given) {
   {
     device::Server server(*machine, board, serving);
     set_inputs(options, server);
+    boot(*machine);
     print_start(options, board, server);
     server.run(stopped);
   }

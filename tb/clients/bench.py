@@ -22,7 +22,7 @@ PROGRAMS = Path(__file__).resolve().parent / "programs"
 RUNG = os.environ["RUNG"]
 CLOCKS_PER_MS = 250
 CLOCK = ["--clock", str(1000 * CLOCKS_PER_MS)]
-START_SECONDS = 20
+START_SECONDS = 60
 END_SECONDS = 10
 
 

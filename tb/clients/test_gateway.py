@@ -21,7 +21,7 @@ class Gateway(unittest.TestCase):
         cls.device = cls.enterClassContext(cell("--tcp", "0"))
 
     def client(self) -> ModbusTcpClient:
-        client = ModbusTcpClient("127.0.0.1", port=self.device.tcp_port, timeout=5, retries=0)
+        client = ModbusTcpClient("127.0.0.1", port=self.device.tcp_port, timeout=20, retries=0)
         self.assertTrue(client.connect())
         self.addCleanup(client.close)
         return client
@@ -50,7 +50,7 @@ class Gateway(unittest.TestCase):
                     wrong.append(f"{address}: wrote {value}, read {got}")
 
         terminal = ModbusSerialClient(self.device.link, framer=FramerType.RTU, baudrate=19200,
-                                      timeout=10, retries=0)
+                                      timeout=20, retries=0)
         self.assertTrue(terminal.connect())
         with contextlib.closing(terminal):
             threads = [threading.Thread(target=work, args=(client, address)) for address, client in
@@ -63,7 +63,7 @@ class Gateway(unittest.TestCase):
         self.assertEqual(wrong, [])
 
     def test_bad_header_closes(self) -> None:
-        with socket.create_connection(("127.0.0.1", self.device.tcp_port), timeout=5) as bad:
+        with socket.create_connection(("127.0.0.1", self.device.tcp_port), timeout=20) as bad:
             bad.sendall(bytes.fromhex("0001 0000 ffff 01 03 0000 0001"))
             self.assertEqual(bad.recv(100), b"")
         self.assertFalse(self.client().read_holding_registers(0).isError())

@@ -19,7 +19,7 @@ class Mbpoll(unittest.TestCase):
         line = ["-m", "rtu", "-b", "19200", "-P", "none", self.device.link] if rtu else \
                ["-m", "tcp", "-p", str(self.device.tcp_port), "127.0.0.1"]
         amount = [] if values else ["-c", str(count)]
-        return run(["mbpoll", "-0", "-1", "-q", "-o", "3", "-a", "1", "-t", table, "-r", str(address),
+        return run(["mbpoll", "-0", "-1", "-q", "-o", "10", "-a", "1", "-t", table, "-r", str(address),
                     *amount, *line, *map(str, values)])
 
     def read(self, table: str, address: int, count: int = 1, rtu: bool = True) -> list[int]:

@@ -6,14 +6,15 @@ import unittest
 
 from pymodbus import FramerType
 from pymodbus.client import ModbusSerialClient
+from pymodbus.exceptions import ModbusIOException
 
 from bench import areas, cell, eventually, holding
 
 ILLEGAL_FUNCTION, ILLEGAL_ADDRESS, ILLEGAL_VALUE = 1, 2, 3
 
 
-def serial(port: str, baud: int = 19200) -> ModbusSerialClient:
-    client = ModbusSerialClient(port, framer=FramerType.RTU, baudrate=baud, timeout=3,
+def serial(port: str, seconds: float = 10) -> ModbusSerialClient:
+    client = ModbusSerialClient(port, framer=FramerType.RTU, baudrate=19200, timeout=seconds,
                                 retries=0)
     if not client.connect():
         raise AssertionError(f"pymodbus cannot open {port}")
@@ -174,9 +175,12 @@ class Pymodbus(unittest.TestCase):
             self.assertEqual(len(set(self.words(10, 5))), 1)
 
     def test_another_unit_does_not_answer(self) -> None:
-        from pymodbus.exceptions import ModbusIOException
+        self.client.close()
+        impatient = serial(self.device.link, seconds=1)
         with self.assertRaises(ModbusIOException):
-            self.client.read_holding_registers(0, device_id=9)
+            impatient.read_holding_registers(0, device_id=9)
+        impatient.close()
+        self.assertTrue(self.client.connect())
         self.assertEqual(len(self.words(0)), 1)
 
     def test_scan_takes_the_same_clocks_under_a_client_at_full_speed(self) -> None:

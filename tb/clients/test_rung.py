@@ -35,11 +35,11 @@ class Case(unittest.TestCase):
         self.assertEqual(done.returncode, code, done.stdout + done.stderr)
         return done.stdout + done.stderr
 
-    def client(self, device: Device, unit: int = 1) -> Client:
+    def client(self, device: Device, unit: int = 1, seconds: float = 10) -> Client:
         """The test's one client of this kind; an earlier one is closed."""
         if self.open_client:
             self.open_client.close()
-        self.open_client = Client(self, device.link, unit)
+        self.open_client = Client(self, device.link, unit, seconds)
         self.addCleanup(self.open_client.close)
         return self.open_client
 
@@ -54,9 +54,10 @@ class Case(unittest.TestCase):
 class Client:
     """pymodbus, with the registers by name; every request must be answered and right."""
 
-    def __init__(self, test: Case, port: str, unit: int) -> None:
+    def __init__(self, test: Case, port: str, unit: int, seconds: float) -> None:
         self.test, self.unit = test, unit
-        self.serial = ModbusSerialClient(port, framer=FramerType.RTU, baudrate=19200, timeout=3, retries=0)
+        self.serial = ModbusSerialClient(port, framer=FramerType.RTU, baudrate=19200, timeout=seconds,
+                                         retries=0)
         test.assertTrue(self.serial.connect())
         self.close = self.serial.close
 
@@ -171,7 +172,8 @@ class Power(Case):
             since = device.tell("show")
             device.wait_for("power off", since)
             with self.assertRaises(ModbusIOException, msg="it has no power"):
-                client.serial.read_holding_registers(10)
+                self.client(device, seconds=1).serial.read_holding_registers(10)
+            client = self.client(device)
             since = device.tell("power on")
             device.wait_for("RUN=1", since)
             eventually(self, client.scans)

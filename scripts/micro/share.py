@@ -65,11 +65,13 @@ def windows(code: Code) -> dict[tuple, list[int]]:
     found: dict[tuple, list[int]] = defaultdict(list)
     for start in range(len(code)):
         sequence: list[tuple[str, object]] = []
+        branches = False
         for item in code[start:start + LONGEST]:
-            if isinstance(item, Label) or item.name in ("JZ", "JNZ"):
+            if isinstance(item, Label):
                 break
             sequence.append(key(item))
-            if len(sequence) >= SHORTEST:
+            branches = branches or item.name in ("JZ", "JNZ")
+            if len(sequence) >= SHORTEST and (not branches or item.name in ("JUMP", "RETURN")):
                 found[tuple(sequence)].append(start)
             if item.name in ("JUMP", "RETURN"):
                 break

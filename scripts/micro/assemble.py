@@ -2,9 +2,10 @@
 """Code with labels to words: shortened where that changes nothing, then placed."""
 from __future__ import annotations
 
-from micro.flow import blocks_of, called, drop_known, drop_stores, explicit, order, thread
+from micro.flow import (LOCALS, blocks_of, called, drop_known, drop_stores, explicit, order, thread,
+                        with_places)
 from micro.front import ENTRIES, FirmwareError, Unit
-from micro.isa import (JUMPS, OPCODES, TARGET_BITS, Instruction, Label, encode)
+from micro.isa import (JUMPS, MOST, OPCODES, TARGET_BITS, Instruction, Label, encode)
 from micro.share import inline_once, share
 
 Code = list[Instruction | Label]
@@ -44,7 +45,8 @@ def assemble(unit: Unit, functions: dict[str, Code], places: dict[str, int],
     code: Code = start_code()
     for body in functions.values():
         code += body
-    code = share(shorten(code), MOST_SHARED)
+    places = {**places, LOCALS: 0}
+    code = share(shorten(with_places(code, places)), MOST_SHARED)
     code = order(thread(blocks_of(code), {START}), START)
     code = drop_labels(code)
     labels: dict[str, int] = {}
@@ -65,7 +67,7 @@ def assemble(unit: Unit, functions: dict[str, Code], places: dict[str, int],
         if item.name in JUMPS:
             operand = labels[operand]
         elif isinstance(operand, tuple):
-            operand = places[operand[0]] + operand[1]
+            operand = places[operand[0]] + operand[1] & MOST
         words.append(encode(item.name, operand))
         listing.append(f"{len(words) - 1:5}  {words[-1]:04x}  {item}")
     assert at <= 1 << TARGET_BITS and OPCODES

@@ -86,6 +86,21 @@ class Generator:
             fail(node, f"{name} has {self.unit.globals[name]} words")
         return name
 
+    def split_index(self, node: c_ast.Node) -> tuple[c_ast.Node, int]:
+        """A variable part of an index and a constant one, which the instruction adds."""
+        offset = 0
+        while isinstance(node, c_ast.BinaryOp) and node.op in ("+", "-"):
+            right = self.const(node.right)
+            if right is not None:
+                offset += right if node.op == "+" else -right
+                node = node.left
+                continue
+            left = self.const(node.left)
+            if left is None or node.op == "-":
+                break
+            offset, node = offset + left, node.right
+        return node, offset
+
     def apply(self, operation: str, operand: tuple[str, int] | int) -> None:
         if isinstance(operand, int):
             self.emit(IMMEDIATE[operation], operand)
@@ -142,8 +157,9 @@ class Generator:
             return
         if isinstance(node, c_ast.ArrayRef):
             name = self.array(node)
-            self.expression(node.subscript)
-            self.emit("LOADX", (name, 0))
+            index, offset = self.split_index(node.subscript)
+            self.expression(index)
+            self.emit("LOADX", (name, offset))
         elif isinstance(node, c_ast.FuncCall):
             self.call(node, True)
         elif isinstance(node, c_ast.UnaryOp):
@@ -174,12 +190,13 @@ class Generator:
         elif node.op == "!":
             self.expression(node.expr)
             self.emit("EQI", 0)
+            self.emit("TEST")
         else:
             fail(node, f"operator {node.op} is not in the language here")
 
     def binary(self, node: c_ast.BinaryOp) -> None:
         operation = node.op
-        if operation in ("&&", "||", "!=", "<=", ">", ">="):
+        if operation in ("&&", "||", *COMPARES):
             self.truth(node)
         elif operation in ("<<", ">>"):
             count = self.const(node.right)
@@ -215,8 +232,10 @@ class Generator:
     def truth(self, node: c_ast.Node) -> None:
         """acc = 0 or 1."""
         if isinstance(node, c_ast.BinaryOp) and node.op in COMPARES:
-            if self.compare(node):
-                self.emit("EQI", 0)
+            opposite = self.compare(node)
+            self.emit("TEST")
+            if opposite:
+                self.emit("XORI", 1)
             return
         no, end = self.label(), self.label()
         self.branch(node, no, False)
@@ -227,7 +246,7 @@ class Generator:
         self.place(end)
 
     def compare(self, node: c_ast.BinaryOp) -> bool:
-        """acc = the comparison, or its opposite: then true is given."""
+        """test = the comparison, or its opposite: then true is given."""
         left, right, operation = node.left, node.right, node.op
         if operation in ("==", "!="):
             self.operate("EQ", left, right)

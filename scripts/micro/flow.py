@@ -6,15 +6,15 @@ from __future__ import annotations
 from collections import Counter
 from dataclasses import dataclass, field
 
-from micro.isa import Instruction, Label
+from micro.isa import COMPARES, Instruction, Label
 
 Code = list[Instruction | Label]
 Place = tuple[str, int]
 
-WRITES_ACC = {"ADD", "SUB", "AND", "OR", "XOR", "ADDI", "SUBI", "ANDI", "ORI", "XORI", "EQ", "LTU", "EQI", "LTUI",
-              "ORH", "SHIFT", "NOT", "IN", "INX", "LOADX", "FLAG"}
+LOCALS = "local"          # places of functions' variables, whoever has them: those may share them
+WRITES_ACC = {"ADD", "SUB", "AND", "OR", "XOR", "ADDI", "SUBI", "ANDI", "ORI", "XORI", "ORH", "SHIFT", "NOT",
+              "IN", "INX", "LOADX", "TEST"}
 READS_RAM = {"LOAD", "ADD", "SUB", "AND", "OR", "XOR", "EQ", "LTU"}
-COMPARES = {"EQ", "LTU", "EQI", "LTUI"}
 
 
 @dataclass
@@ -25,6 +25,16 @@ class Block:
     body: list[Instruction]
     end: str
     targets: list[str] = field(default_factory=list)
+
+
+def with_places(code: Code, places: dict[str, int]) -> Code:
+    """Functions' variables by their places in RAM."""
+    out: Code = []
+    for item in code:
+        if isinstance(item, Instruction) and isinstance(item.operand, tuple) and ":" in item.operand[0]:
+            item = Instruction(item.name, (LOCALS, places[item.operand[0]]))
+        out.append(item)
+    return out
 
 
 def blocks_of(code: Code) -> list[Block]:
@@ -142,7 +152,27 @@ def with_value(known: Known, value: int) -> Known:
     return Known(frozenset(same), value, frozenset(places.items()))
 
 
-def step(known: Known, item: Instruction) -> tuple[Known, bool]:
+def written(blocks: list[Block]) -> dict[str, set[str | Place]]:
+    """For each function that is called: places that a call may write, arrays by their names."""
+    named = {block.name: block for block in blocks}
+    own: dict[str, set[str | Place]] = {
+        block.name: {item.operand if item.name == "STORE" else item.operand[0] for item in block.body
+                     if item.name in ("STORE", "STOREX")} for block in blocks}
+    found = {}
+    for name in called(blocks):
+        seen: set[str] = set()
+        todo = [name]
+        while todo:
+            at = todo.pop()
+            if at not in seen:
+                seen.add(at)
+                todo += named[at].targets
+                todo += [item.operand for item in named[at].body if item.name == "CALL"]
+        found[name] = set().union(*(own[each] for each in seen))
+    return found
+
+
+def step(known: Known, item: Instruction, writes: dict[str, set[str | Place]]) -> tuple[Known, bool]:
     """What is known behind an instruction, and whether the instruction is needed."""
     name, operand = item.name, item.operand
     if name == "LOAD":
@@ -169,7 +199,9 @@ def step(known: Known, item: Instruction) -> tuple[Known, bool]:
         return Known(frozenset(p for p in known.same if p[0] != operand[0]), known.value,
                      frozenset((p, v) for p, v in known.places if p[0] != operand[0])), True
     if name == "CALL":
-        return Known(), True
+        lost = writes[operand]
+        return Known(places=frozenset((p, v) for p, v in known.places
+                                      if p not in lost and p[0] not in lost)), True
     if name in WRITES_ACC:
         return Known(frozenset(), None, known.places), True
     return known, True
@@ -178,13 +210,14 @@ def step(known: Known, item: Instruction) -> tuple[Known, bool]:
 def drop_known(blocks: list[Block], entries: set[str]) -> None:
     """Drops instructions that change nothing; `entries` are reached with anything."""
     named = {block.name: block for block in blocks}
+    writes = written(blocks)
     before: dict[str, Known] = {name: Known() for name in entries}
     todo = sorted(entries)
     while todo:
         name = todo.pop()
         block, known = named[name], before[name]
         for item in block.body:
-            known, _ = step(known, item)
+            known, _ = step(known, item, writes)
         for i, target in enumerate(block.targets):
             there = edge(block, known, i)
             new = there if target not in before else before[target].meet(there)
@@ -195,7 +228,7 @@ def drop_known(blocks: list[Block], entries: set[str]) -> None:
         known = before[block.name]
         body = []
         for item in block.body:
-            known, needed = step(known, item)
+            known, needed = step(known, item, writes)
             if needed:
                 body.append(item)
         block.body = body
@@ -204,14 +237,24 @@ def drop_known(blocks: list[Block], entries: set[str]) -> None:
 
 
 def edge(block: Block, known: Known, which: int) -> Known:
-    if block.end == "BRANCH" and which == 0:
+    """What is known on the way to one of a block's targets."""
+    if block.end != "BRANCH":
+        return known
+    test = block.body[-1] if block.body and block.body[-1].name in COMPARES else None
+    if test is None:
+        return with_value(known, 0) if which == 0 else known
+    if which == 1 and test.name == "EQI":
+        return with_value(known, test.operand)
+    if which == 1 and test.name == "LTUI" and test.operand == 1:
         return with_value(known, 0)
+    if which == 1 and test.name == "EQ":
+        return Known(known.same | {test.operand}, known.value, known.places)
     return known
 
 
 # ---- what is read ------------------------------------------------------------------------------------
 def local(place: object) -> bool:
-    return isinstance(place, tuple) and ":" in place[0]
+    return isinstance(place, tuple) and place[0] == LOCALS
 
 
 def live_before(block: Block, live: set[Place], reads: dict[str, set[Place]]) -> set[Place]:

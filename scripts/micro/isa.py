@@ -2,11 +2,15 @@
 """The micro-sequencer's instructions, as hdl/controller/micro/micro_sequencer.v executes them.
 
 A word is 11 and a 2-bit kind with 12 bits of program address, or a 5-bit opcode below 24 with an 11-bit operand.
+
+EQ, EQI, LTU and LTUI leave acc as it is: JZ and JNZ behind them, with only JUMP, CALL and RETURN between, go by the
+test; behind anything else by acc.
 """
 from __future__ import annotations
 
 from dataclasses import dataclass
 
+COMPARES = ("EQ", "LTU", "EQI", "LTUI")
 JUMPS = {"JUMP": 0, "JZ": 1, "JNZ": 2, "CALL": 3}
 
 # name -> (opcode, what the operand is, meaning)
@@ -18,8 +22,8 @@ OPCODES = {
     "AND": (4, "ram", "acc = acc & ram[n]"),
     "OR": (5, "ram", "acc = acc | ram[n]"),
     "XOR": (6, "ram", "acc = acc ^ ram[n]"),
-    "EQ": (7, "ram", "acc = acc == ram[n]"),
-    "LTU": (8, "ram", "acc = acc < ram[n], unsigned"),
+    "EQ": (7, "ram", "test = acc == ram[n]"),
+    "LTU": (8, "ram", "test = acc < ram[n], unsigned"),
     "LOADX": (9, "ram", "acc = ram[n + acc]"),
     "LOADI": (10, "number", "acc = n"),
     "ADDI": (11, "number", "acc = acc + n"),
@@ -27,10 +31,10 @@ OPCODES = {
     "ANDI": (13, "number", "acc = acc & n"),
     "ORI": (14, "number", "acc = acc | n"),
     "XORI": (15, "number", "acc = acc ^ n"),
-    "EQI": (16, "number", "acc = acc == n"),
-    "LTUI": (17, "number", "acc = acc < n, unsigned"),
+    "EQI": (16, "number", "test = acc == n"),
+    "LTUI": (17, "number", "test = acc < n, unsigned"),
     "ORH": (18, "number", "acc = acc | n << 11, the low 5 bits of n"),
-    "SHIFT": (19, "number", "acc = acc << n, of bit 4 of n set >> (n & 15); a clock more for each bit"),
+    "SHIFT": (19, "number", "acc = acc << n, if bit 4 of n is set >> (n & 15); a clock more for each bit"),
     "STOREX": (20, "ram", "ram[n + x] = acc"),
     "IN": (21, "number", "acc = bus[registers + n]"),
     "OUT": (22, "number", "bus[registers + n] = acc"),
@@ -42,6 +46,7 @@ MISC = {
     "RETURN": (2, "back behind the last CALL that has not returned"),
     "INX": (3, "acc = bus[acc]"),
     "OUTX": (4, "bus[x] = acc"),
+    "TEST": (5, "acc = test, 1 or 0"),
 }
 OPERAND_BITS = 11
 MOST = (1 << OPERAND_BITS) - 1

@@ -56,8 +56,8 @@ class FunctionGenerator(Generator):
             self.expression(value)
             self.emit("STORE", place)
         else:
-            self.indexed(node.lvalue.subscript, value,
-                         Instruction("STOREX", (self.array(node.lvalue), 0)))
+            subscript, offset = self.split_index(node.lvalue.subscript)
+            self.indexed(subscript, value, Instruction("STOREX", (self.array(node.lvalue), offset)))
 
     def on_UnaryOp(self, node: c_ast.UnaryOp) -> None:  # noqa: N802
         if node.op not in ("++", "--", "p++", "p--"):

@@ -61,6 +61,7 @@ module micro_sequencer #(
   localparam [2:0] RETURN = 3'd2;
   localparam [2:0] INX = 3'd3;
   localparam [2:0] OUTX = 3'd4;
+  localparam [2:0] TEST = 3'd5;
   localparam [1:0] JUMP = 2'd0;
   localparam [1:0] JZ = 2'd1;  // 2 is JNZ
   localparam [1:0] CALL = 2'd3;
@@ -76,6 +77,8 @@ module micro_sequencer #(
   reg [11:0] pc_q;
   reg [15:0] acc_q;
   reg [15:0] x_q;
+  reg test_q;
+  reg tested_q;  // jumps go by test_q
   reg [3:0] shifts_q;
   reg [RAM_ADDR-1:0] clear_q;
   reg [3:0] depth_q;  // calls that have not returned, modulo 16
@@ -141,13 +144,15 @@ module micro_sequencer #(
   wire [15:0] operand = immediate ? {5'd0, number} : ram_data;
   wire subtract = opcode == SUB || opcode == SUBI || opcode == LTU || opcode == LTUI;
   wire [16:0] sum = {1'b0, acc_q} + {1'b0, operand ^ {16{subtract}}} + {16'd0, subtract};
-  wire less = !sum[16];
+  wire equal = opcode == EQ || opcode == EQI;
+  wire compare = !jumps && (equal || opcode == LTU || opcode == LTUI);
   reg [15:0] result;
 
   always @* begin
     result = acc_q;
     if (misc) begin
       if (number[2:0] == NOT) result = ~acc_q;
+      if (number[2:0] == TEST) result = {15'd0, test_q};
     end else begin
       case (opcode)
         LOAD, LOADX, LOADI: result = operand;
@@ -155,8 +160,6 @@ module micro_sequencer #(
         AND, ANDI: result = acc_q & operand;
         OR, ORI: result = acc_q | operand;
         XOR, XORI: result = acc_q ^ operand;
-        EQ, EQI: result = {15'd0, acc_q == operand};
-        LTU, LTUI: result = {15'd0, less};
         ORH: result = acc_q | {number[4:0], 11'd0};
         default: ;
       endcase
@@ -164,7 +167,10 @@ module micro_sequencer #(
   end
 
   // ---- jumps -----------------------------------------------------------------------------------------
-  wire taken = jump == JUMP || jump == CALL || (jump == JZ) == (acc_q == 16'd0);
+  wire zero = tested_q ? !test_q : acc_q == 16'd0;
+  wire always_taken = jump == JUMP || jump == CALL;
+  wire taken = always_taken || (jump == JZ) == zero;
+
   // ---- state -------------------------------------------------------------------------------------------
   always @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -172,6 +178,7 @@ module micro_sequencer #(
       clear_q <= {RAM_ADDR{1'b0}};
       pc_q <= 12'd0;
       depth_q <= 4'd0;
+      tested_q <= 1'b0;
     end else begin
       case (state_q)
         CLEAR: begin
@@ -182,6 +189,7 @@ module micro_sequencer #(
         DECODE: state_q <= bus_read ? BUS : EXECUTE;
         BUS: begin
           acc_q <= mem_rdata_i;
+          tested_q <= 1'b0;
           pc_q <= next_pc;
           state_q <= FETCH;
         end
@@ -194,6 +202,8 @@ module micro_sequencer #(
           pc_q <= jumps ? (taken ? instruction[11:0] : next_pc) : returns ? ram_data[11:0] : next_pc;
           if (calls) depth_q <= depth_q + 4'd1;
           else if (returns) depth_q <= depth_q - 4'd1;
+          if (compare) test_q <= equal ? acc_q == operand : !sum[16];
+          tested_q <= compare || (tested_q && (jumps ? always_taken : returns));
           shifts_q <= number[3:0];
           state_q <= !jumps && opcode == SHIFT && number[3:0] != 4'd0 ? SHIFTS : FETCH;
           if (!jumps) begin

@@ -24,10 +24,11 @@ u16 room;   // and how many more are in this area behind it, itself included; 0:
 
 // kind: 0 a bit area of discrete inputs, 1 of coils, 3 of words
 static void area(u16 kind, u16 first, u16 count, u16 index) {
-  first = wanted - first;
-  if (first < count && (kind & 2) == (wanted_kind & 2) && (kind & 1) >= (wanted_kind & 1)) {
-    point = index + first;
-    room = count - first;
+  u16 behind;
+  behind = wanted - first;
+  if (behind < count && (kind & 2) == (wanted_kind & 2) && (kind & 1) >= (wanted_kind & 1)) {
+    point = index + behind;
+    room = count - behind;
   }
 }
 

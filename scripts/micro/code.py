@@ -249,8 +249,21 @@ class Generator:
         """test = the comparison, or its opposite: then true is given."""
         left, right, operation = node.left, node.right, node.op
         if operation in ("==", "!="):
-            self.operate("EQ", left, right)
+            value = self.const(right)
+            if value is not None and 0xFFFF - value <= MOST:
+                self.expression(left)
+                self.emit("NOT")
+                self.emit("EQI", 0xFFFF - value)
+            else:
+                self.operate("EQ", left, right)
             return operation == "!="
+        shifted = self.shifted_limit(operation, self.const(right))
+        if shifted is not None:
+            # a < m << k is a >> k < m
+            self.expression(left)
+            self.emit("SHIFT", 16 + shifted[1])
+            self.emit("LTUI", shifted[0])
+            return operation in (">", ">=")
         if operation in (">", "<="):
             # a > c is !(a < c + 1)
             value = self.const(right)
@@ -266,6 +279,14 @@ class Generator:
             return operation == "<"
         self.operate("LTU", left, right)
         return operation == ">="
+
+    def shifted_limit(self, operation: str, value: int | None) -> tuple[int, int] | None:
+        """m and k of a limit m << k that is too long for an instruction while m is not."""
+        if value is None:
+            return None
+        limit = value + (operation in (">", "<="))
+        shift = (limit & -limit).bit_length() - 1
+        return (limit >> shift, shift) if MOST < limit <= 0xFFFF and limit >> shift <= MOST else None
 
     def branch(self, node: c_ast.Node, target: str, when: bool) -> None:
         """Jumps to `target` if the condition is `when`."""
@@ -318,28 +339,32 @@ class Generator:
             self.emit("CALL", name)
 
     def pass_arguments(self, called: Function, arguments: list[c_ast.Node]) -> None:
+        """Arguments with calls first, as these may use the called function's variables, or lie over them."""
+        if not arguments:
+            return
         mark = self.used
-        waiting: list[tuple[str, str]] = []
-        for i, argument in enumerate(arguments):
-            self.expression(argument)
-            if i == len(arguments) - 1:
-                if waiting:
-                    last = self.temporary()
-                    self.emit("STORE", (last, 0))
-                for temporary, place in waiting:
-                    self.emit("LOAD", (temporary, 0))
-                    self.emit("STORE", (place, 0))
-                if waiting:
-                    self.emit("LOAD", (last, 0))
-                break
-            place = f"{called.name}:{called.parameters[i]}"
-            # A call in a later argument may need the function's variables, or lie over them.
-            if any(has_call(later) for later in arguments[i + 1:]):
-                temporary = self.temporary()
-                self.emit("STORE", (temporary, 0))
-                waiting.append((temporary, place))
+        last = len(arguments) - 1
+        calling = [i for i, argument in enumerate(arguments) if calls_function(argument)]
+        if calling == [last] and not last:
+            calling = []
+        places = [f"{called.name}:{name}" for name in called.parameters]
+        waiting: dict[int, str] = {}
+        for i in calling:
+            self.expression(arguments[i])
+            if i == calling[-1] and i != last:
+                self.emit("STORE", (places[i], 0))
             else:
-                self.emit("STORE", (place, 0))
+                waiting[i] = self.temporary()
+                self.emit("STORE", (waiting[i], 0))
+        for i, argument in enumerate(arguments):
+            if i in waiting:
+                self.emit("LOAD", (waiting[i], 0))
+            elif i not in calling:
+                self.expression(argument)
+            else:
+                continue
+            if i != last:
+                self.emit("STORE", (places[i], 0))
         self.used = mark
 
     def register(self, address: c_ast.Node) -> int | None:
@@ -368,7 +393,7 @@ class Generator:
     def indexed(self, index: c_ast.Node, value: c_ast.Node, store: Instruction) -> None:
         """x = index, acc = value, then `store`."""
         mark = self.used
-        if has_call(value):  # it may use x
+        if calls_function(value):  # that may use x
             self.expression(value)
             temporary = self.temporary()
             self.emit("STORE", (temporary, 0))
@@ -381,6 +406,13 @@ class Generator:
             self.expression(value)
         self.out.append(store)
         self.used = mark
+
+
+def calls_function(node: c_ast.Node) -> bool:
+    """Whether evaluating the node calls a function that is no intrinsic one."""
+    if isinstance(node, c_ast.FuncCall) and node.name.name not in INTRINSICS:
+        return True
+    return any(calls_function(child) for _, child in node.children())
 
 
 def has_call(node: c_ast.Node) -> bool:

@@ -12,6 +12,10 @@ Code = list[Instruction | Label]
 Place = tuple[str, int]
 
 LOCALS = "local"          # places of functions' variables, whoever has them: those may share them
+ACC: Place = ("acc", 0)
+SETS_ACC = {"LOAD", "LOADI", "IN", "TEST"}     # without reading it
+PURE = {"LOAD", "LOADI", "TEST", "ADD", "SUB", "AND", "OR", "XOR", "ADDI", "SUBI", "ANDI", "ORI", "XORI", "ORH", "SHIFT",
+        "NOT", "LOADX"}                        # do nothing else than write it
 WRITES_ACC = {"ADD", "SUB", "AND", "OR", "XOR", "ADDI", "SUBI", "ANDI", "ORI", "XORI", "ORH", "SHIFT", "NOT",
               "IN", "INX", "LOADX", "TEST"}
 READS_RAM = {"LOAD", "ADD", "SUB", "AND", "OR", "XOR", "EQ", "LTU"}
@@ -138,10 +142,11 @@ class Known:
     same: frozenset[Place] = frozenset()
     value: int | None = None
     places: frozenset[tuple[Place, int]] = frozenset()
+    copies: frozenset[tuple[Place, Place]] = frozenset()   # local places and what they are copies of
 
     def meet(self, other: Known) -> Known:
         return Known(self.same & other.same, self.value if self.value == other.value else None,
-                     self.places & other.places)
+                     self.places & other.places, self.copies & other.copies)
 
 
 def with_value(known: Known, value: int) -> Known:
@@ -149,7 +154,16 @@ def with_value(known: Known, value: int) -> Known:
     places = dict(known.places)
     places.update(dict.fromkeys(known.same, value))
     same = known.same | {place for place, each in places.items() if each == value}
-    return Known(frozenset(same), value, frozenset(places.items()))
+    return Known(frozenset(same), value, frozenset(places.items()), known.copies)
+
+
+def without(known: Known, lost: set[str | Place]) -> Known:
+    """Behind something that writes places, arrays named by their names."""
+    def kept(place: Place) -> bool:
+        return place not in lost and place[0] not in lost
+    return Known(frozenset(p for p in known.same if kept(p)), known.value,
+                 frozenset((p, v) for p, v in known.places if kept(p)),
+                 frozenset((p, q) for p, q in known.copies if kept(p) and kept(q)))
 
 
 def written(blocks: list[Block]) -> dict[str, set[str | Place]]:
@@ -182,28 +196,27 @@ def step(known: Known, item: Instruction, writes: dict[str, set[str | Place]]) -
         if value is not None:
             if value == known.value:
                 return with_value(known, value), False
-            return with_value(Known(frozenset({operand}), None, known.places), value), True
-        return Known(frozenset({operand}), None, known.places), True
+            return with_value(Known(frozenset({operand}), None, known.places, known.copies), value), True
+        return Known(frozenset({operand}), None, known.places, known.copies), True
     if name == "LOADI":
         if known.value == operand:
             return known, False
-        return with_value(Known(frozenset(), None, known.places), operand), True
+        return with_value(Known(frozenset(), None, known.places, known.copies), operand), True
     if name == "STORE":
         if operand in known.same:
             return known, False
-        places = {(p, v) for p, v in known.places if p != operand}
-        if known.value is not None:
-            places.add((operand, known.value))
-        return Known(known.same | {operand}, known.value, frozenset(places)), True
+        kept = without(known, {operand})
+        source = min((p for p in kept.same if p[0] == LOCALS), default=None)
+        copies = {*kept.copies, (operand, source)} if local(operand) and source else kept.copies
+        places = kept.places if known.value is None else {*kept.places, (operand, known.value)}
+        return Known(kept.same | {operand}, known.value, frozenset(places), frozenset(copies)), True
     if name == "STOREX":
-        return Known(frozenset(p for p in known.same if p[0] != operand[0]), known.value,
-                     frozenset((p, v) for p, v in known.places if p[0] != operand[0])), True
+        return without(known, {operand[0]}), True
     if name == "CALL":
-        lost = writes[operand]
-        return Known(places=frozenset((p, v) for p, v in known.places
-                                      if p not in lost and p[0] not in lost)), True
+        kept = without(known, writes[operand])
+        return Known(places=kept.places, copies=kept.copies), True
     if name in WRITES_ACC:
-        return Known(frozenset(), None, known.places), True
+        return Known(frozenset(), None, known.places, known.copies), True
     return known, True
 
 
@@ -228,6 +241,8 @@ def drop_known(blocks: list[Block], entries: set[str]) -> None:
         known = before[block.name]
         body = []
         for item in block.body:
+            if item.name in READS_RAM:
+                item.operand = dict(known.copies).get(item.operand, item.operand)
             known, needed = step(known, item, writes)
             if needed:
                 body.append(item)
@@ -248,7 +263,7 @@ def edge(block: Block, known: Known, which: int) -> Known:
     if which == 1 and test.name == "LTUI" and test.operand == 1:
         return with_value(known, 0)
     if which == 1 and test.name == "EQ":
-        return Known(known.same | {test.operand}, known.value, known.places)
+        return Known(known.same | {test.operand}, known.value, known.places, known.copies)
     return known
 
 
@@ -258,8 +273,17 @@ def local(place: object) -> bool:
 
 
 def live_before(block: Block, live: set[Place], reads: dict[str, set[Place]]) -> set[Place]:
+    """Places that are read behind the block's beginning, the accumulator among them."""
     live = set(live)
+    if block.end == "RETURN" or block.end == "BRANCH" and not (block.body and block.body[-1].name in COMPARES):
+        live.add(ACC)
     for item in reversed(block.body):
+        if item.name in SETS_ACC:
+            live.discard(ACC)
+        elif item.name == "CALL":
+            live.discard(ACC)
+        else:
+            live.add(ACC)
         if item.name == "CALL":
             live |= reads.get(item.operand, set())
         elif item.name == "STORE":
@@ -282,9 +306,14 @@ def drop_stores(blocks: list[Block]) -> None:
                 live[block.name] = before
                 changed = True
     for block in blocks:
-        now = set().union(*(live[target] for target in block.targets))
+        now = live_before(Block("", [], block.end), set().union(*(live[target] for target in block.targets)), live)
+        if block.body and block.body[-1].name in COMPARES and block.end == "BRANCH" and not any(
+                ACC in live[target] for target in block.targets):
+            now.discard(ACC)
         body = []
         for item in reversed(block.body):
+            if item.name in PURE and ACC not in now:
+                continue
             if item.name == "STORE" and local(item.operand) and item.operand not in now:
                 continue
             now = live_before(Block("", [item], ""), now, live)

@@ -68,7 +68,7 @@ static u16 exchange_waits(void) {
   u16 start;
   start = io_read(REG(MILLISECONDS));
   while (io_read(REG(EXCHANGE_STATUS)) & 1) {
-    if (scan_state() == FAULT || milliseconds_since(start) > PATIENCE_MS) return 1;
+    if (scan_state() == FAULT || milliseconds_since(start) >= PATIENCE_MS) return 1;
   }
   return 0;
 }

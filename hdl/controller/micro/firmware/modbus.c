@@ -130,10 +130,12 @@ static u16 serve_controller(void) {
   u16 really;
   if (write_count && !of_controller(write_first, write_count)) return ILLEGAL_ADDRESS;
   if (read_count && !of_controller(read_first, read_count)) return ILLEGAL_ADDRESS;
-  if (write_count && write_first > HOLDING_WINDOW)
-    return ILLEGAL_VALUE;  // only from its first word on
-  window_wanted[0] = window[0];
-  window_wanted[1] = window[1];
+  write_first = write_first & 0x1FFF;
+  read_first = read_first & 0x1FFF;
+  // a window only from its first word on
+  if (write_count && write_first > NUMBER(WINDOW)) return ILLEGAL_VALUE;
+  window_wanted[0] = window(0);
+  window_wanted[1] = window(1);
   force_wanted = force_point;
   for (really = 0; really < 2; really = really + 1) {
     for (k = 0; k < write_count; k = k + 1) {
@@ -233,13 +235,13 @@ static void put_object(u16 object) {
       put('r');
       put('d');
       put(' ');
-      put_number(io_read(REG(BOARD_ID)));
+      put_number(HELD(BOARD));
       put(' ');
       put('m');
       put('p');
       put('u');
       put(' ');
-      put_number(io_read(REG(MPU)));
+      put_number(HELD(MPU));
       break;
     default:
       put('1');  // version of the registers' map

@@ -16,10 +16,7 @@
 #define JOB_LOAD 3
 #define JOB_START 4
 
-u16 program[6];  // of the program that is loaded: generation, length, CRC, low words first
-u16 header[6];   // the same of the copy that was looked at last
-u16 load[4];     // registers load_length, load_crc
-u16 load_state;
+u16 header[6];  // as program(), of the copy that was looked at last
 u16 erased[FLASH_COPY_SECTORS];  // sectors of the copy being written
 
 static void fill(u16 in_space, u16 count) {
@@ -43,7 +40,7 @@ static void clear_all(void) {
   fill(SPACE_SETUP, SETUP_OUTPUT + SETUP_OUTPUT_COUNT);
   for (n = 0; n < FIRST_FORCE_ENTRIES; n = n + 1) io_write(REG(FORCE_ENTRY), n);
   for (n = 0; n < KEEP_WORDS; n = n + 1) keep[n] = 0;
-  for (n = 0; n < 6; n = n + 1) program[n] = 0;
+  for (n = 0; n < 6; n = n + 1) program(n) = 0;
   force_count = 0;
   exchange_points = 0;
   latch_count = 0;
@@ -64,7 +61,7 @@ static void stop(void) {
   while (!(io_read(REG(SCAN_STATUS)) & SCAN_IDLE)) {
     if (scan_state() == FAULT) {
       io_write(REG(SCAN_COMMAND), SCAN_LEAVE_FAULT);
-    } else if (milliseconds_since(start_at) > PATIENCE_MS) {
+    } else if (milliseconds_since(start_at) >= PATIENCE_MS) {
       io_write(REG(FAULT_SET), 0);
     }
   }
@@ -135,7 +132,7 @@ static u16 load_file(u16 of_copy) {
 // The program whose header was just read is the one that is loaded.
 static void adopt_header(void) {
   u16 n;
-  for (n = 0; n < 6; n = n + 1) program[n] = header[n];
+  for (n = 0; n < 6; n = n + 1) program(n) = header[n];
   no_program = 0;
 }
 
@@ -158,7 +155,7 @@ static void boot(void) {
   for (n = 0; n < 2; n = n + 1) {
     if (read_header(first ^ n)) {
       why = NOT_LOADABLE;
-      for (low = 0; low < 4; low = low + 1) file[low] = header[low + 2];
+      for (low = 0; low < 4; low = low + 1) file(low) = header[low + 2];
       if (!check_file(first ^ n, 0) && !load_file(first ^ n)) {
         adopt_header();
         restore();
@@ -191,7 +188,7 @@ static u16 write_header(u16 of_copy) {
   flash_put_checked(HEADER_MAGIC);
   flash_put_checked(low);
   flash_put_checked(high);
-  for (n = 0; n < 4; n = n + 1) flash_put_checked(file[n]);
+  for (n = 0; n < 4; n = n + 1) flash_put_checked(file(n));
   flash_put_crc();
   return !read_header(of_copy) || header[0] != low || header[1] != high;
 }
@@ -222,7 +219,7 @@ static void begin_load(void) {
 
 static void begin_commit(void) {
   u16 n;
-  for (n = 0; n < 4; n = n + 1) file[n] = load[n];
+  for (n = 0; n < 4; n = n + 1) file(n) = load(n);
   check_start(copy ^ 1, 0);
   job = JOB_CHECK;
 }

@@ -46,7 +46,6 @@ u16 record_low;  // of the record that was read last: its sequence, and the CRC 
 u16 record_high;
 u16 values_low;
 u16 values_high;
-u16 saves;
 u16 save_pause;  // seconds until a PERSIST value that could not be saved is tried again
 
 // Sizes from the ranges. What would be more than a sector is not saved: ranges that do not overlap

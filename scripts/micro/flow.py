@@ -13,7 +13,8 @@ Place = tuple[str, int]
 
 LOCALS = "local"          # places of functions' variables, whoever has them: those may share them
 ACC: Place = ("acc", 0)
-SETS_ACC = {"LOAD", "LOADI", "IN", "TEST"}     # without reading it
+STEPS = {"INC", "DEC"}
+SETS_ACC = {"LOAD", "LOADI", "IN", "TEST", "INC", "DEC"}     # without reading it
 PURE = {"LOAD", "LOADI", "TEST", "ADD", "SUB", "AND", "OR", "XOR", "ADDI", "SUBI", "ANDI", "ORI", "XORI", "ORH", "SHIFT",
         "NOT", "LOADX"}                        # do nothing else than write it
 WRITES_ACC = {"ADD", "SUB", "AND", "OR", "XOR", "ADDI", "SUBI", "ANDI", "ORI", "XORI", "ORH", "SHIFT", "NOT",
@@ -170,8 +171,8 @@ def written(blocks: list[Block]) -> dict[str, set[str | Place]]:
     """For each function that is called: places that a call may write, arrays by their names."""
     named = {block.name: block for block in blocks}
     own: dict[str, set[str | Place]] = {
-        block.name: {item.operand if item.name == "STORE" else item.operand[0] for item in block.body
-                     if item.name in ("STORE", "STOREX")} for block in blocks}
+        block.name: {item.operand[0] if item.name == "STOREX" else item.operand for item in block.body
+                     if item.name in ("STORE", "STOREX", *STEPS)} for block in blocks}
     found = {}
     for name in called(blocks):
         seen: set[str] = set()
@@ -210,6 +211,9 @@ def step(known: Known, item: Instruction, writes: dict[str, set[str | Place]]) -
         copies = {*kept.copies, (operand, source)} if local(operand) and source else kept.copies
         places = kept.places if known.value is None else {*kept.places, (operand, known.value)}
         return Known(kept.same | {operand}, known.value, frozenset(places), frozenset(copies)), True
+    if name in STEPS:
+        kept = without(known, {operand})
+        return Known(frozenset({operand}), None, kept.places, kept.copies), True
     if name == "STOREX":
         return without(known, {operand[0]}), True
     if name == "CALL":
@@ -288,7 +292,7 @@ def live_before(block: Block, live: set[Place], reads: dict[str, set[Place]]) ->
             live |= reads.get(item.operand, set())
         elif item.name == "STORE":
             live.discard(item.operand)
-        elif item.name in READS_RAM and local(item.operand):
+        elif item.name in (*READS_RAM, *STEPS) and local(item.operand):
             live.add(item.operand)
     return live
 
@@ -315,6 +319,8 @@ def drop_stores(blocks: list[Block]) -> None:
             if item.name in PURE and ACC not in now:
                 continue
             if item.name == "STORE" and local(item.operand) and item.operand not in now:
+                continue
+            if item.name in STEPS and local(item.operand) and item.operand not in now and ACC not in now:
                 continue
             now = live_before(Block("", [item], ""), now, live)
             body.append(item)

@@ -13,6 +13,8 @@ from dataclasses import dataclass
 COMPARES = ("EQ", "LTU", "EQI", "LTUI")
 JUMPS = {"JUMP": 0, "JZ": 1, "JNZ": 2, "CALL": 3}
 
+# Two instructions of one opcode: the second has the operand's highest bit set.
+HALF = 32
 # name -> (opcode, what the operand is, meaning)
 OPCODES = {
     "LOAD": (0, "ram", "acc = ram[n]"),
@@ -36,8 +38,10 @@ OPCODES = {
     "ORH": (18, "number", "acc = acc | n << 11, the low 5 bits of n"),
     "SHIFT": (19, "number", "acc = acc << n, if bit 4 of n is set >> (n & 15); a clock more for each bit"),
     "STOREX": (20, "ram", "ram[n + x] = acc"),
-    "IN": (21, "number", "acc = bus[registers + n]"),
-    "OUT": (22, "number", "bus[registers + n] = acc"),
+    "IN": (21, "register", "acc = bus[registers + n]"),
+    "OUT": (21 | HALF, "register", "bus[registers + n] = acc"),
+    "INC": (22, "variable", "acc = ram[n] = ram[n] + 1"),
+    "DEC": (22 | HALF, "variable", "acc = ram[n] = ram[n] - 1"),
     "MISC": (23, "misc", "see below"),
 }
 MISC = {
@@ -81,5 +85,8 @@ def encode(name: str, operand: int) -> int:
         return 0xC000 | JUMPS[name] << TARGET_BITS | operand
     if name in MISC:
         return OPCODES["MISC"][0] << OPERAND_BITS | MISC[name][0]
-    assert 0 <= operand <= MOST, (name, operand)
-    return OPCODES[name][0] << OPERAND_BITS | operand
+    opcode = OPCODES[name][0]
+    high = OPERAND_BITS - 1
+    halved = any(other[0] == opcode ^ HALF for other in OPCODES.values())
+    assert 0 <= operand < 1 << (high if halved else OPERAND_BITS), (name, operand)
+    return (opcode % HALF) << OPERAND_BITS | opcode // HALF << high | operand

@@ -52,12 +52,26 @@ class FunctionGenerator(Generator):
             place = None if index is None else (self.array(node.lvalue), index)
         else:
             fail(node, "only variables and words of arrays are assigned")
-        if place is not None:
+        step = self.step_of(node.lvalue, value)
+        if place is not None and step:
+            self.emit(step, place)
+        elif place is not None:
             self.expression(value)
             self.emit("STORE", place)
         else:
             subscript, offset = self.split_index(node.lvalue.subscript)
             self.indexed(subscript, value, Instruction("STOREX", (self.array(node.lvalue), offset)))
+
+    def step_of(self, variable: c_ast.Node, value: c_ast.Node) -> str | None:
+        """INC or DEC if `value` is the variable and one more or less."""
+        if not isinstance(value, c_ast.BinaryOp) or value.op not in ("+", "-"):
+            return None
+        for this, other in ((value.left, value.right), (value.right, value.left)):
+            if self.const(other) in (1, 0xFFFF) and self.simple(this) == self.simple(variable):
+                if value.op == "-" and other is value.left:
+                    continue
+                return "INC" if (value.op == "+") == (self.const(other) == 1) else "DEC"
+        return None
 
     def on_UnaryOp(self, node: c_ast.UnaryOp) -> None:  # noqa: N802
         if node.op not in ("++", "--", "p++", "p--"):

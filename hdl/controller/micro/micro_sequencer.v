@@ -53,8 +53,8 @@ module micro_sequencer #(
   localparam [4:0] ORH = 5'd18;
   localparam [4:0] SHIFT = 5'd19;
   localparam [4:0] STOREX = 5'd20;
-  localparam [4:0] IN = 5'd21;
-  localparam [4:0] OUT = 5'd22;
+  localparam [4:0] IN = 5'd21;  // or OUT
+  localparam [4:0] INC = 5'd22;  // or DEC
   localparam [4:0] MISC = 5'd23;
   localparam [2:0] SETX = 3'd0;
   localparam [2:0] NOT = 3'd1;
@@ -125,25 +125,27 @@ module micro_sequencer #(
       .read_i(state_q == DECODE),
       .read_addr_i(returns ? {{RAM_ADDR - 4{1'b1}}, depth_q - 4'd1} : ram_addr[RAM_ADDR-1:0]),
       .read_data_o(ram_data),
-      .write_i(store || calls || state_q == CLEAR),
+      .write_i(store || steps || calls || state_q == CLEAR),
       .write_addr_i(state_q == CLEAR ? clear_q : calls ? {{RAM_ADDR - 4{1'b1}}, depth_q} :
                     ram_addr[RAM_ADDR-1:0]),
-      .write_data_i(state_q == CLEAR ? 16'd0 : calls ? {4'd0, next_pc} : acc_q)
+      .write_data_i(state_q == CLEAR ? 16'd0 : calls ? {4'd0, next_pc} : steps ? sum[15:0] : acc_q)
   );
   wire unused_addr = &{1'b0, ram_addr};
 
-  wire bus_read = !jumps && (opcode == IN || (misc && number[2:0] == INX));
-  wire bus_write = !jumps && (opcode == OUT || (misc && number[2:0] == OUTX));
-  assign mem_addr_o = misc ? (number[2:0] == INX ? acc_q : x_q) : REGISTERS | {5'd0, number};
+  wire steps = state_q == EXECUTE && !jumps && opcode == INC;
+  wire bus_read = !jumps && ((opcode == IN && !number[10]) || (misc && number[2:0] == INX));
+  wire bus_write = !jumps && ((opcode == IN && number[10]) || (misc && number[2:0] == OUTX));
+  assign mem_addr_o = misc ? (number[2:0] == INX ? acc_q : x_q) : REGISTERS | {6'd0, number[9:0]};
   assign mem_read_o = state_q == DECODE && bus_read;
   assign mem_write_o = state_q == DECODE && bus_write;
   assign mem_wdata_o = acc_q;
 
   // ---- E: the result ---------------------------------------------------------------------------------
-  wire immediate = opcode >= LOADI;
+  wire immediate = opcode >= LOADI && opcode != INC;
   wire [15:0] operand = immediate ? {5'd0, number} : ram_data;
   wire subtract = opcode == SUB || opcode == SUBI || opcode == LTU || opcode == LTUI;
-  wire [16:0] sum = {1'b0, acc_q} + {1'b0, operand ^ {16{subtract}}} + {16'd0, subtract};
+  wire [15:0] left = opcode == INC ? {{15{number[10]}}, 1'b1} : acc_q;
+  wire [16:0] sum = {1'b0, left} + {1'b0, operand ^ {16{subtract}}} + {16'd0, subtract};
   wire equal = opcode == EQ || opcode == EQI;
   wire compare = !jumps && (equal || opcode == LTU || opcode == LTUI);
   reg [15:0] result;
@@ -156,7 +158,7 @@ module micro_sequencer #(
     end else begin
       case (opcode)
         LOAD, LOADX, LOADI: result = operand;
-        ADD, ADDI, SUB, SUBI: result = sum[15:0];
+        ADD, ADDI, SUB, SUBI, INC: result = sum[15:0];
         AND, ANDI: result = acc_q & operand;
         OR, ORI: result = acc_q | operand;
         XOR, XORI: result = acc_q ^ operand;

@@ -235,13 +235,13 @@ static void put_object(u16 object) {
       put('r');
       put('d');
       put(' ');
-      put_number(HELD(BOARD));
+      put_number(io_read(REG(BOARD_ID)));
       put(' ');
       put('m');
       put('p');
       put('u');
       put(' ');
-      put_number(HELD(MPU));
+      put_number(io_read(REG(MPU)));
       break;
     default:
       put('1');  // version of the registers' map

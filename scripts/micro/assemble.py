@@ -5,7 +5,7 @@ from __future__ import annotations
 from micro.flow import (LOCALS, blocks_of, called, drop_known, drop_stores, explicit, order, thread,
                         with_places)
 from micro.front import ENTRIES, FirmwareError, Unit
-from micro.isa import (JUMPS, MOST, OPCODES, TARGET_BITS, Instruction, Label, encode)
+from micro.isa import (JUMPS, OPCODES, OPERAND_BITS, TARGET_BITS, Instruction, Label, encode)
 from micro.share import inline_once, share
 
 Code = list[Instruction | Label]
@@ -67,7 +67,7 @@ def assemble(unit: Unit, functions: dict[str, Code], places: dict[str, int],
         if item.name in JUMPS:
             operand = labels[operand]
         elif isinstance(operand, tuple):
-            operand = places[operand[0]] + operand[1] & MOST
+            operand = (places[operand[0]] + operand[1]) % (1 << OPERAND_BITS - 1)
         words.append(encode(item.name, operand))
         listing.append(f"{len(words) - 1:5}  {words[-1]:04x}  {item}")
     assert at <= 1 << TARGET_BITS and OPCODES

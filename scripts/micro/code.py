@@ -393,7 +393,11 @@ class Generator:
     def indexed(self, index: c_ast.Node, value: c_ast.Node, store: Instruction) -> None:
         """x = index, acc = value, then `store`."""
         mark = self.used
-        if calls_function(value):  # that may use x
+        simple = self.simple(index)
+        if isinstance(simple, tuple):
+            self.expression(value)
+            self.emit("INDEX", simple)
+        elif calls_function(value):  # that may use x
             self.expression(value)
             temporary = self.temporary()
             self.emit("STORE", (temporary, 0))

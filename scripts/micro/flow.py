@@ -13,13 +13,14 @@ Place = tuple[str, int]
 
 LOCALS = "local"          # places of functions' variables, whoever has them: those may share them
 ACC: Place = ("acc", 0)
+WRITES_RAM = {"STORE", "CLEAR"}
 STEPS = {"INC", "DEC"}
 SETS_ACC = {"LOAD", "LOADI", "IN", "TEST", "INC", "DEC"}     # without reading it
 PURE = {"LOAD", "LOADI", "TEST", "ADD", "SUB", "AND", "OR", "XOR", "ADDI", "SUBI", "ANDI", "ORI", "XORI", "ORH", "SHIFT",
         "NOT", "LOADX"}                        # do nothing else than write it
 WRITES_ACC = {"ADD", "SUB", "AND", "OR", "XOR", "ADDI", "SUBI", "ANDI", "ORI", "XORI", "ORH", "SHIFT", "NOT",
               "IN", "INX", "LOADX", "TEST"}
-READS_RAM = {"LOAD", "ADD", "SUB", "AND", "OR", "XOR", "EQ", "LTU"}
+READS_RAM = {"INDEX", "LOAD", "ADD", "SUB", "AND", "OR", "XOR", "EQ", "LTU"}
 
 
 @dataclass
@@ -172,7 +173,7 @@ def written(blocks: list[Block]) -> dict[str, set[str | Place]]:
     named = {block.name: block for block in blocks}
     own: dict[str, set[str | Place]] = {
         block.name: {item.operand[0] if item.name == "STOREX" else item.operand for item in block.body
-                     if item.name in ("STORE", "STOREX", *STEPS)} for block in blocks}
+                     if item.name in ("STOREX", *WRITES_RAM, *STEPS)} for block in blocks}
     found = {}
     for name in called(blocks):
         seen: set[str] = set()
@@ -211,6 +212,12 @@ def step(known: Known, item: Instruction, writes: dict[str, set[str | Place]]) -
         copies = {*kept.copies, (operand, source)} if local(operand) and source else kept.copies
         places = kept.places if known.value is None else {*kept.places, (operand, known.value)}
         return Known(kept.same | {operand}, known.value, frozenset(places), frozenset(copies)), True
+    if name == "CLEAR":
+        if (operand, 0) in known.places:
+            return known, False
+        kept = without(known, {operand})
+        same = kept.same | {operand} if kept.value == 0 else kept.same
+        return Known(same, kept.value, kept.places | {(operand, 0)}, kept.copies), True
     if name in STEPS:
         kept = without(known, {operand})
         return Known(frozenset({operand}), None, kept.places, kept.copies), True
@@ -247,6 +254,8 @@ def drop_known(blocks: list[Block], entries: set[str]) -> None:
         for item in block.body:
             if item.name in READS_RAM:
                 item.operand = dict(known.copies).get(item.operand, item.operand)
+            if item.name == "STORE" and known.value == 0:
+                item = Instruction("CLEAR", item.operand)
             known, needed = step(known, item, writes)
             if needed:
                 body.append(item)
@@ -286,11 +295,11 @@ def live_before(block: Block, live: set[Place], reads: dict[str, set[Place]]) ->
             live.discard(ACC)
         elif item.name == "CALL":
             live.discard(ACC)
-        else:
+        elif item.name not in ("INDEX", "CLEAR"):
             live.add(ACC)
         if item.name == "CALL":
             live |= reads.get(item.operand, set())
-        elif item.name == "STORE":
+        elif item.name in WRITES_RAM:
             live.discard(item.operand)
         elif item.name in (*READS_RAM, *STEPS) and local(item.operand):
             live.add(item.operand)
@@ -318,7 +327,7 @@ def drop_stores(blocks: list[Block]) -> None:
         for item in reversed(block.body):
             if item.name in PURE and ACC not in now:
                 continue
-            if item.name == "STORE" and local(item.operand) and item.operand not in now:
+            if item.name in WRITES_RAM and local(item.operand) and item.operand not in now:
                 continue
             if item.name in STEPS and local(item.operand) and item.operand not in now and ACC not in now:
                 continue

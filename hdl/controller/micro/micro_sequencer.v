@@ -41,7 +41,7 @@ module micro_sequencer #(
   localparam [4:0] XOR = 5'd6;
   localparam [4:0] EQ = 5'd7;
   localparam [4:0] LTU = 5'd8;
-  localparam [4:0] LOADX = 5'd9;
+  localparam [4:0] LOADX = 5'd9;  // or STOREX
   localparam [4:0] LOADI = 5'd10;
   localparam [4:0] ADDI = 5'd11;
   localparam [4:0] SUBI = 5'd12;
@@ -52,7 +52,7 @@ module micro_sequencer #(
   localparam [4:0] LTUI = 5'd17;
   localparam [4:0] ORH = 5'd18;
   localparam [4:0] SHIFT = 5'd19;
-  localparam [4:0] STOREX = 5'd20;
+  localparam [4:0] INDEX = 5'd20;  // or CLEAR
   localparam [4:0] IN = 5'd21;  // or OUT
   localparam [4:0] INC = 5'd22;  // or DEC
   localparam [4:0] MISC = 5'd23;
@@ -66,7 +66,7 @@ module micro_sequencer #(
   localparam [1:0] JZ = 2'd1;  // 2 is JNZ
   localparam [1:0] CALL = 2'd3;
 
-  localparam [2:0] CLEAR = 3'd0;
+  localparam [2:0] CLEARS = 3'd0;
   localparam [2:0] FETCH = 3'd1;
   localparam [2:0] DECODE = 3'd2;
   localparam [2:0] EXECUTE = 3'd3;
@@ -112,9 +112,10 @@ module micro_sequencer #(
   // ---- D: RAM and bus ------------------------------------------------------------------------------
   // The last words of RAM are where calls come back to, a ring.
   wire [15:0] ram_data;
-  wire [10:0] offset = opcode == LOADX ? acc_q[10:0] : opcode == STOREX ? x_q[10:0] : 11'd0;
-  wire [10:0] ram_addr = number + offset;
-  wire store = state_q == DECODE && !jumps && (opcode == STORE || opcode == STOREX);
+  wire [9:0] offset = opcode != LOADX ? 10'd0 : number[10] ? x_q[9:0] : acc_q[9:0];
+  wire [9:0] ram_addr = number[9:0] + offset;
+  wire clears = opcode == INDEX && number[10];
+  wire store = state_q == DECODE && !jumps && (opcode == STORE || clears || (opcode == LOADX && number[10]));
 
   bank_ram #(
       .WIDTH(16),
@@ -125,10 +126,10 @@ module micro_sequencer #(
       .read_i(state_q == DECODE),
       .read_addr_i(returns ? {{RAM_ADDR - 4{1'b1}}, depth_q - 4'd1} : ram_addr[RAM_ADDR-1:0]),
       .read_data_o(ram_data),
-      .write_i(store || steps || calls || state_q == CLEAR),
-      .write_addr_i(state_q == CLEAR ? clear_q : calls ? {{RAM_ADDR - 4{1'b1}}, depth_q} :
+      .write_i(store || steps || calls || state_q == CLEARS),
+      .write_addr_i(state_q == CLEARS ? clear_q : calls ? {{RAM_ADDR - 4{1'b1}}, depth_q} :
                     ram_addr[RAM_ADDR-1:0]),
-      .write_data_i(state_q == CLEAR ? 16'd0 : calls ? {4'd0, next_pc} : steps ? sum[15:0] : acc_q)
+      .write_data_i(state_q == CLEARS ? 16'd0 : calls ? {4'd0, next_pc} : steps ? sum[15:0] : clears ? 16'd0 : acc_q)
   );
   wire unused_addr = &{1'b0, ram_addr};
 
@@ -157,7 +158,8 @@ module micro_sequencer #(
       if (number[2:0] == TEST) result = {15'd0, test_q};
     end else begin
       case (opcode)
-        LOAD, LOADX, LOADI: result = operand;
+        LOAD, LOADI: result = operand;
+        LOADX: if (!number[10]) result = operand;
         ADD, ADDI, SUB, SUBI, INC: result = sum[15:0];
         AND, ANDI: result = acc_q & operand;
         OR, ORI: result = acc_q | operand;
@@ -176,14 +178,14 @@ module micro_sequencer #(
   // ---- state -------------------------------------------------------------------------------------------
   always @(posedge clk_i) begin
     if (!rst_ni) begin
-      state_q <= CLEAR;
+      state_q <= CLEARS;
       clear_q <= {RAM_ADDR{1'b0}};
       pc_q <= 12'd0;
       depth_q <= 4'd0;
       tested_q <= 1'b0;
     end else begin
       case (state_q)
-        CLEAR: begin
+        CLEARS: begin
           clear_q <= clear_q + 1'b1;
           if (&clear_q) state_q <= FETCH;
         end
@@ -211,6 +213,7 @@ module micro_sequencer #(
           if (!jumps) begin
             acc_q <= result;
             if (misc && number[2:0] == SETX) x_q <= acc_q;
+            if (opcode == INDEX && !number[10]) x_q <= ram_data;
           end
         end
       endcase

@@ -70,17 +70,22 @@ u16 upper[HOLDING_WINDOW - FIRST_UPPER];
 #define load(k) UPPER_FROM(LOAD_LENGTH, k)  // registers load_length, load_crc
 #define window(k) UPPER_FROM(WINDOW_OFFSET, k)
 
-// What the program that is loaded says: the firmware's parts of its spaces setup and host.
-u16 setup[SETUP_EXCHANGE_POINTS + 1];
-u16 host[HOST_RETAIN_ID + 1];
-#define exchange_points setup[SETUP_EXCHANGE_POINTS]
-#define latch_count setup[SETUP_LATCH_COUNT]
-#define refresh_first setup[SETUP_REFRESH_FIRST]
-#define refresh_count setup[SETUP_REFRESH_COUNT]
-#define unit host[HOST_UNIT]
-#define policy host[HOST_POLICY]  // bits of the two that follow
-#define save_seconds host[HOST_SAVE_SECONDS]
-#define retain_id host[HOST_RETAIN_ID]
+// What the program that is loaded says: the firmware's parts of its spaces setup and host,
+// and what `keep` says.
+#define KEEP_WORDS 68  // four words a range, and that of PERSIST
+#define HOST_SETTINGS (SETUP_EXCHANGE_POINTS + 1)
+#define KEEP_SETTINGS (HOST_SETTINGS + HOST_RETAIN_ID + 1)
+#define SETTINGS (KEEP_SETTINGS + KEEP_WORDS)
+u16 settings[SETTINGS];
+#define keep(k) settings[KEEP_SETTINGS + (k)]
+#define exchange_points settings[SETUP_EXCHANGE_POINTS]
+#define latch_count settings[SETUP_LATCH_COUNT]
+#define refresh_first settings[SETUP_REFRESH_FIRST]
+#define refresh_count settings[SETUP_REFRESH_COUNT]
+#define unit settings[HOST_SETTINGS + HOST_UNIT]
+#define policy settings[HOST_SETTINGS + HOST_POLICY]  // bits of the two that follow
+#define save_seconds settings[HOST_SETTINGS + HOST_SAVE_SECONDS]
+#define retain_id settings[HOST_SETTINGS + HOST_RETAIN_ID]
 
 u16 no_program;  // 0: there is one; else the fault that register `fault` shows
 u16 copy;        // of the flash, that runs

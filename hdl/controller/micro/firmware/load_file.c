@@ -80,19 +80,19 @@ static void note(u16 word) {
     case SPACE_PORTS:
       word = word >> 8 & 127;
       if (!address && word > FIRST_PERSIST_PORT) {
-        keep[KEEP_PERSIST] = KEEP_SAVED | KEEP_IS_WORDS;
-        keep[KEEP_PERSIST + 1] = WORD_DEVICES - word;
-        keep[KEEP_PERSIST + 2] = word - FIRST_PERSIST_PORT;
+        keep(KEEP_PERSIST) = KEEP_SAVED | KEEP_IS_WORDS;
+        keep(KEEP_PERSIST + 1) = WORD_DEVICES - word;
+        keep(KEEP_PERSIST + 2) = word - FIRST_PERSIST_PORT;
       }
       break;
     case SPACE_SETUP:
-      if (address <= SETUP_EXCHANGE_POINTS) setup[address] = word;
+      if (address <= SETUP_EXCHANGE_POINTS) settings[address] = word;
       break;
     case SPACE_KEEP:
-      keep[address] = word;
+      keep(address) = word;
       break;
     case SPACE_HOST:
-      if (address <= HOST_RETAIN_ID) host[address] = word;
+      if (address <= HOST_RETAIN_ID) settings[HOST_SETTINGS + address] = word;
       // baud, parity and silence stand in the same order in both
       if (within(address, HOST_BAUD_LOW, 5)) {
         io_write(REG(LINE_BAUD_LOW) - HOST_BAUD_LOW + address, word);

@@ -39,15 +39,10 @@ static void clear_all(void) {
   fill(SPACE_WORD_MAP, WORD_POINTS);
   fill(SPACE_SETUP, SETUP_OUTPUT + SETUP_OUTPUT_COUNT);
   for (n = 0; n < FIRST_FORCE_ENTRIES; n = n + 1) io_write(REG(FORCE_ENTRY), n);
-  for (n = 0; n < KEEP_WORDS; n = n + 1) keep[n] = 0;
+  for (n = 0; n < SETTINGS; n = n + 1) settings[n] = 0;
   for (n = 0; n < 6; n = n + 1) program(n) = 0;
   force_count = 0;
-  exchange_points = 0;
-  latch_count = 0;
-  refresh_count = 0;
   unit = 1;
-  policy = 0;
-  save_seconds = 0;
   slot_units = 0;
   restored = 0;
   io_write(REG(KEEP_DONE), 0);
@@ -82,7 +77,7 @@ static void clear_devices(u16 is_words, u16 count) {
   device = 0;
   while (device < count) {
     for (k = 0; k < KEEP_WORDS; k = k + 4) {
-      if ((keep[k] & KEEP_IS_WORDS) == is_words && within(device, keep[k + 1], keep[k + 2])) break;
+      if ((keep(k) & KEEP_IS_WORDS) == is_words && within(device, keep(k + 1), keep(k + 2))) break;
     }
     if (k == KEEP_WORDS) {
       io_write(REG(LOAD_ADDRESS), device);

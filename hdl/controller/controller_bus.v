@@ -74,12 +74,12 @@ module controller_bus #(
 
   // ---- the bus ---------------------------------------------------------------------------------------
   wire [7:0] number = mem_addr_i[7:0];
-  wire sel_rx_frame = mem_addr_i[15:8] == 8'h20;
-  wire sel_tx_frame = mem_addr_i[15:8] == 8'h21;
-  wire sel_buffer = mem_addr_i[15:12] == 4'h3;
-  wire sel_register = mem_addr_i[15:12] == 4'h4;
+  wire sel_rx_frame = mem_addr_i[9:8] == 2'd0;
+  wire sel_tx_frame = mem_addr_i[9:8] == 2'd1;
+  wire sel_buffer = mem_addr_i[9:8] == 2'd2;
+  wire sel_register = mem_addr_i[9:8] == 2'd3;
   wire write = mem_write_i && sel_register;
-  wire unused_addr = &{1'b0, mem_addr_i[11:8]};
+  wire unused_addr = &{1'b0, mem_addr_i[15:10]};
 
   wire [15:0] line_rdata, flash_rdata, crc_rdata, buffer_rdata;
   reg [15:0] register_q;

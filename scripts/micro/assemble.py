@@ -11,6 +11,7 @@ from micro.share import inline_once, share
 Code = list[Instruction | Label]
 START = "%start"
 MOST_SHARED = 1000
+SHARINGS = 2
 
 
 def start_code() -> Code:
@@ -46,7 +47,9 @@ def assemble(unit: Unit, functions: dict[str, Code], places: dict[str, int],
     for body in functions.values():
         code += body
     places = {**places, LOCALS: 0}
-    code = share(shorten(with_places(code, places)), MOST_SHARED)
+    code = shorten(with_places(code, places))
+    for _ in range(SHARINGS):
+        code = explicit(thread(blocks_of(share(code, MOST_SHARED)), {START}))
     code = order(thread(blocks_of(code), {START}), START)
     code = drop_labels(code)
     labels: dict[str, int] = {}

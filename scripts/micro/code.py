@@ -115,6 +115,12 @@ class Generator:
 
     def operate(self, operation: str, left: c_ast.Node, right: c_ast.Node) -> None:
         """acc = left operation right."""
+        if operation in ("ADD", "SUB", "OR", "XOR") and self.const(right) == 0:
+            self.expression(left)
+            return
+        if operation in ("ADD", "OR", "XOR") and self.const(left) == 0:
+            self.expression(right)
+            return
         simple_left, simple_right = self.simple(left), self.simple(right)
         if simple_right is not None:
             self.expression(left)
@@ -368,11 +374,9 @@ class Generator:
         self.used = mark
 
     def register(self, address: c_ast.Node) -> int | None:
-        """Operand of IN and OUT for a constant address among the registers."""
+        """Operand of IN and OUT for a constant address."""
         value = self.const(address)
-        if value is None or not 0 <= value - self.registers <= MOST:
-            return None
-        return value - self.registers
+        return value if value is not None and value <= MOST // 2 else None
 
     def read(self, address: c_ast.Node) -> None:
         register = self.register(address)

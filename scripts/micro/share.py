@@ -105,8 +105,14 @@ def share(code: Code, routines: int) -> Code:
         if not best or gain(best, len(places)) <= 0:
             return code
         made += 1
-        code = take_out(code, best, places, f"%{made}.shared")
+        code = take_out(code, best, places, fresh(code))
     return code
+
+
+def fresh(code: Code) -> str:
+    """A name for a sequence that no label has yet."""
+    used = {item.name for item in code if isinstance(item, Label)}
+    return next(name for name in (f"%{n}.shared" for n in range(1, len(code) + 2)) if name not in used)
 
 
 def take_out(code: Code, sequence: tuple, places: list[int], name: str) -> Code:

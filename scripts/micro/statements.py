@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from pycparser import c_ast
 
-from micro.code import Generator
-from micro.front import Function, Unit, fail
+from micro.code import COMPARES, Generator
+from micro.front import Function, Unit, fail, fold
 from micro.isa import MOST, Instruction, Label
 
 
@@ -114,14 +114,28 @@ class FunctionGenerator(Generator):
     def on_For(self, node: c_ast.For) -> None:  # noqa: N802
         again, step, end = self.label(), self.label(), self.label()
         self.statement(node.init)
+        enters = self.enters(node)
         self.place(again)
-        if node.cond is not None:
+        if node.cond is not None and not enters:
             self.branch(node.cond, end, False)
         self.loop(node.stmt, step, end)
         self.place(step)
         self.statement(node.next)
-        self.emit("JUMP", again)
+        if enters:
+            self.branch(node.cond, again, True)
+        else:
+            self.emit("JUMP", again)
         self.place(end)
+
+    def enters(self, node: c_ast.For) -> bool:
+        """Whether the condition of a loop is true for the constant that its variable begins with."""
+        if not isinstance(node.init, c_ast.Assignment) or not isinstance(node.cond, c_ast.BinaryOp):
+            return False
+        first, last = self.const(node.init.rvalue), self.const(node.cond.right)
+        same = (isinstance(node.init.lvalue, c_ast.ID) and isinstance(node.cond.left, c_ast.ID)
+                and node.init.lvalue.name == node.cond.left.name and node.init.op == "=")
+        return same and first is not None and last is not None and node.cond.op in COMPARES and bool(
+            fold(node.cond, first, last))
 
     def loop(self, body: c_ast.Node, on: str, out: str) -> None:
         self.loops.append((on, out))

@@ -29,7 +29,6 @@ module micro_sequencer #(
 
   localparam integer RAM_WORDS = `RUNG_MICRO_RAM_WORDS;
   localparam integer RAM_ADDR = $clog2(RAM_WORDS);
-  localparam [15:0] REGISTERS = `RUNG_MICRO_REGISTERS;
 
   // Opcodes: scripts/micro/isa.py.
   localparam [4:0] LOAD = 5'd0;
@@ -136,7 +135,7 @@ module micro_sequencer #(
   wire steps = state_q == EXECUTE && !jumps && opcode == INC;
   wire bus_read = !jumps && ((opcode == IN && !number[10]) || (misc && number[2:0] == INX));
   wire bus_write = !jumps && ((opcode == IN && number[10]) || (misc && number[2:0] == OUTX));
-  assign mem_addr_o = misc ? (number[2:0] == INX ? acc_q : x_q) : REGISTERS | {6'd0, number[9:0]};
+  assign mem_addr_o = misc ? (number[2:0] == INX ? acc_q : x_q) : {6'd0, number[9:0]};
   assign mem_read_o = state_q == DECODE && bus_read;
   assign mem_write_o = state_q == DECODE && bus_write;
   assign mem_wdata_o = acc_q;

@@ -123,6 +123,11 @@ static u16 crc_follows(void) {
 // The first page of a sector of the controller's part.
 static u16 sector_page(u16 sector) { return (sector + io_read(REG(FLASH_BASE))) * SECTOR_PAGES; }
 
+// The first page of a sector of a copy.
+static u16 copy_page(u16 of_copy, u16 sector) {
+  return sector_page(of_copy * FLASH_COPY_SECTORS + sector);
+}
+
 // Power may have come back while the flash was asleep, or at work.
 static void flash_wake(void) {
   flash_begin(FLASH_WAKE);

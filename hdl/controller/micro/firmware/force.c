@@ -12,7 +12,6 @@
 #define force_point HELD(FORCE_POINT)
 #define force_value HELD(FORCE_VALUE)
 u16 force_wanted;   // the point that a request's force_value will mean
-u16 force_entry;    // its entry
 u16 entries_first;  // entries that count
 u16 entries_count;
 
@@ -105,11 +104,4 @@ static void force(u16 value) {
     value = value | 2;
   }
   io_write(REG(FORCE_ENTRY), value << 8 | force_entry);
-}
-
-static void release_all(void) {
-  force_count = 0;
-  for (force_entry = 0; force_entry < FIRST_FORCE_ENTRIES; force_entry = force_entry + 1) {
-    io_write(REG(FORCE_ENTRY), force_entry);
-  }
 }

@@ -38,8 +38,12 @@ u16 space;
 u16 address;
 u16 address_high;
 
+// Where a word of a file is whose first page is `page`, for flash_at.
+static u16 page_of(u16 page, u16 low, u16 high) { return page + (high << 9) + (low >> 7); }
+static u16 byte_of(u16 low) { return (low & 127) << 1; }
+
 static void file_open(void) {
-  flash_at(FLASH_READ, file_page + (at_high << 9) + (at_low >> 7), (at_low & 127) << 1);
+  flash_at(FLASH_READ, page_of(file_page, at_low, at_high), byte_of(at_low));
 }
 
 static u16 file_word(void) {
@@ -51,7 +55,7 @@ static u16 file_word(void) {
 static u16 file_ended(void) { return at_low == file(0) && at_high == file(1); }
 
 static void file_start(u16 of_copy) {
-  file_page = sector_page(of_copy * FLASH_COPY_SECTORS + 1);
+  file_page = copy_page(of_copy, 1);
   at_low = 0;
   at_high = 0;
 }

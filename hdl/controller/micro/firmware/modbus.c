@@ -22,7 +22,7 @@ u16 words;      // it is of words, else of bits
 u16 values_at;  // byte of the first value to write
 u16 tx_size;    // bytes of the answer so far
 
-static u16 rx(u16 at) { return io_read(MICRO_RX_FRAME + at); }
+#define rx(at) io_read(MICRO_RX_FRAME + (at))
 
 static u16 rx_word(u16 at) {
   u16 high;

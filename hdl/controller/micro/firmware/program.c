@@ -28,6 +28,15 @@ static void fill(u16 in_space, u16 count) {
   }
 }
 
+u16 force_entry;  // entry of the point that is forced
+
+static void release_all(void) {
+  force_count = 0;
+  for (force_entry = 0; force_entry < FIRST_FORCE_ENTRIES; force_entry = force_entry + 1) {
+    io_write(REG(FORCE_ENTRY), force_entry);
+  }
+}
+
 // As after reset, but for the registers of the line.
 static void clear_all(void) {
   u16 n;
@@ -38,10 +47,9 @@ static void clear_all(void) {
   fill(SPACE_BIT_MAP, BIT_POINTS);
   fill(SPACE_WORD_MAP, WORD_POINTS);
   fill(SPACE_SETUP, SETUP_OUTPUT + SETUP_OUTPUT_COUNT);
-  for (n = 0; n < FIRST_FORCE_ENTRIES; n = n + 1) io_write(REG(FORCE_ENTRY), n);
+  release_all();
   for (n = 0; n < SETTINGS; n = n + 1) settings[n] = 0;
   for (n = 0; n < 6; n = n + 1) program(n) = 0;
-  force_count = 0;
   unit = 1;
   slot_units = 0;
   restored = 0;
@@ -104,7 +112,7 @@ static u16 length_fits(u16 low, u16 high) {
 static u16 read_header(u16 of_copy) {
   u16 n;
   io_write(REG(CRC_CLEAR), 0);
-  flash_at(FLASH_READ, sector_page(of_copy * FLASH_COPY_SECTORS), 0);
+  flash_at(FLASH_READ, copy_page(of_copy, 0), 0);
   if (checked_word() != HEADER_MAGIC) return 0;
   for (n = 0; n < 6; n = n + 1) header[n] = checked_word();
   return crc_follows() && length_fits(header[2], header[3]);
@@ -179,7 +187,7 @@ static u16 write_header(u16 of_copy) {
   low = low + 1;
   if (!low) high = high + 1;
   io_write(REG(CRC_CLEAR), 0);
-  flash_write_at(sector_page(of_copy * FLASH_COPY_SECTORS), 0);
+  flash_write_at(copy_page(of_copy, 0), 0);
   flash_put_checked(HEADER_MAGIC);
   flash_put_checked(low);
   flash_put_checked(high);
@@ -207,7 +215,7 @@ static void begin_load(void) {
   u16 n;
   flash_failed = 0;
   load_state = LOAD_UNDER_WAY;
-  flash_erase(sector_page((copy ^ 1) * FLASH_COPY_SECTORS));
+  flash_erase(copy_page(copy ^ 1, 0));
   for (n = 0; n < FLASH_COPY_SECTORS; n = n + 1) erased[n] = 0;
   if (flash_failed) load_failed(LOAD_FLASH_ERROR);
 }

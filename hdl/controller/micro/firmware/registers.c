@@ -52,8 +52,8 @@ static u16 window_word(u16 n, u16 first) {
   if (low < n) high = high + 1;
   if (high > program(3) || (high == program(3) && low >= program(2))) return 0;
   if (first) {
-    file_start(copy);
-    flash_at(FLASH_READ, file_page + (high << 9) + (low >> 7), (low & 127) << 1);
+    // A commit may be checking the other copy: its place stays as it is.
+    flash_at(FLASH_READ, page_of(copy_page(copy, 1), low, high), byte_of(low));
   }
   return flash_word();
 }
@@ -198,11 +198,10 @@ static void window_begin(void) {
   flash_failed = 0;
   sector = (window(1) << 5 | window(0) >> 11) + 1;
   if (!erased[sector]) {
-    flash_erase(sector_page((copy ^ 1) * FLASH_COPY_SECTORS + sector));
+    flash_erase(copy_page(copy ^ 1, sector));
     erased[sector] = 1;
   }
-  file_start(copy ^ 1);
-  flash_write_at(file_page + (window(1) << 9) + (window(0) >> 7), (window(0) & 127) << 1);
+  flash_write_at(page_of(copy_page(copy ^ 1, 1), window(0), window(1)), byte_of(window(0)));
 }
 
 // Checks a write, or `really` carries out what was checked; `count` registers are written from this

@@ -319,8 +319,18 @@ class Generator:
             opposite = self.compare(node)
             self.emit("JNZ" if when != opposite else "JZ", target)
         else:
-            self.expression(node)
+            if not self.high_bits(node):
+                self.expression(node)
             self.emit("JNZ" if when else "JZ", target)
+
+    def high_bits(self, node: c_ast.Node) -> bool:
+        """acc is not 0 if the high bits of a value that a mask names are not: those below are shifted out."""
+        mask = self.const(node.right) if isinstance(node, c_ast.BinaryOp) and node.op == "&" else None
+        if mask is None or mask <= MOST or (mask | mask - 1) != 0xFFFF:
+            return False
+        self.expression(node.left)
+        self.emit("SHIFT", 16 + (mask & -mask).bit_length() - 1)
+        return True
 
     # ---- calls ---------------------------------------------------------------------------------
     def call(self, node: c_ast.FuncCall, wanted: bool) -> None:

@@ -342,22 +342,9 @@ def called(blocks: list[Block]) -> set[str]:
 
 # ---- the order ---------------------------------------------------------------------------------------
 def order(blocks: list[Block], first: str) -> Code:
-    """Blocks as code. A block goes behind one that ends in it: first where there is least choice."""
-    uses = Counter(target for block in blocks for target in block.targets)
-    edges = sorted(((len(block.targets), uses[target], i, target, block.name)
-                    for i, block in enumerate(blocks) for target in block.targets))
-    behind: dict[str, str] = {}          # block -> the one that follows it
-    head = {block.name: block.name for block in blocks}   # last of a chain -> its first
-    taken: set[str] = {first}
-    for _, _, _, target, name in edges:
-        if name in behind or target in taken or head[name] == target:
-            continue
-        behind[name] = target
-        taken.add(target)
-        end = target
-        while end in behind:
-            end = behind[end]
-        head[end] = head[name]
+    """Blocks as code, as many as can be right behind one that ends in them."""
+    behind = without_rings(matching(blocks, first))
+    taken = {first, *behind.values()}
     named = {block.name: block for block in blocks}
     code: Code = []
     starts = [first, *(block.name for block in blocks if block.name not in taken)]
@@ -368,6 +355,42 @@ def order(blocks: list[Block], first: str) -> Code:
             code += [Label(at), *block.body, *ending(block, following)]
             at = following
     return code
+
+
+def matching(blocks: list[Block], first: str) -> dict[str, str]:
+    """Block -> the one that follows it, for as many as possible (Kuhn's algorithm)."""
+    targets = {block.name: block.targets for block in blocks}
+    before: dict[str, str] = {}
+
+    def place(name: str, seen: set[str]) -> bool:
+        for target in targets[name]:
+            if target == first or target == name or target in seen:
+                continue
+            seen.add(target)
+            if target not in before or place(before[target], seen):
+                before[target] = name
+                return True
+        return False
+
+    for name in sorted(targets, key=lambda each: len(targets[each])):
+        place(name, set())
+    return {name: target for target, name in before.items()}
+
+
+def without_rings(behind: dict[str, str]) -> dict[str, str]:
+    """A ring of blocks is opened somewhere."""
+    behind = dict(behind)
+    done: set[str] = set()
+    for name in list(behind):
+        path: list[str] = []
+        at: str | None = name
+        while at is not None and at not in done:
+            done.add(at)
+            path.append(at)
+            at = behind.get(at)
+        if at is not None and at in path:
+            del behind[at]
+    return behind
 
 
 def ending(block: Block, following: str | None) -> Code:

@@ -86,13 +86,14 @@ def blocks_of(code: Code) -> list[Block]:
 def thread(blocks: list[Block], keep: set[str]) -> list[Block]:
     """Without jumps to blocks that only jump, equal branches, and blocks that nothing reaches."""
     named = {block.name: block for block in blocks}
+    bare = next((block.name for block in blocks if not block.body and block.end == "RETURN"), None)
 
     def last(name: str) -> str:
         seen = {name}
         while not named[name].body and named[name].end == "JUMP" and named[name].targets[0] not in seen:
             name = named[name].targets[0]
             seen.add(name)
-        return name
+        return bare if bare and not named[name].body and named[name].end == "RETURN" else name
 
     for block in blocks:
         block.targets = [last(target) for target in block.targets]
@@ -208,8 +209,7 @@ def step(known: Known, item: Instruction, writes: dict[str, set[str | Place]]) -
         if operand in known.same:
             return known, False
         kept = without(known, {operand})
-        source = min((p for p in kept.same if p[0] == LOCALS), default=None)
-        copies = {*kept.copies, (operand, source)} if local(operand) and source else kept.copies
+        copies = {*kept.copies, *((operand, p) for p in kept.same if local(p) and local(operand))}
         places = kept.places if known.value is None else {*kept.places, (operand, known.value)}
         return Known(kept.same | {operand}, known.value, frozenset(places), frozenset(copies)), True
     if name == "CLEAR":
@@ -253,7 +253,7 @@ def drop_known(blocks: list[Block], entries: set[str]) -> None:
         body = []
         for item in block.body:
             if item.name in READS_RAM:
-                item.operand = dict(known.copies).get(item.operand, item.operand)
+                item.operand = min((q for p, q in known.copies if p == item.operand), default=item.operand)
             if item.name == "STORE" and known.value == 0:
                 item = Instruction("CLEAR", item.operand)
             known, needed = step(known, item, writes)

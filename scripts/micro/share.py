@@ -65,11 +65,13 @@ def windows(code: Code) -> dict[tuple, list[int]]:
     found: dict[tuple, list[int]] = defaultdict(list)
     for start in range(len(code)):
         sequence: list[tuple[str, object]] = []
+        branches = False
         for item in code[start:start + LONGEST]:
-            if isinstance(item, Label) or item.name in ("JZ", "JNZ"):
+            if isinstance(item, Label):
                 break
             sequence.append(key(item))
-            if len(sequence) >= SHORTEST:
+            branches = branches or item.name in ("JZ", "JNZ")
+            if len(sequence) >= SHORTEST and (not branches or item.name in ("JUMP", "RETURN")):
                 found[tuple(sequence)].append(start)
             if item.name in ("JUMP", "RETURN"):
                 break
@@ -103,8 +105,14 @@ def share(code: Code, routines: int) -> Code:
         if not best or gain(best, len(places)) <= 0:
             return code
         made += 1
-        code = take_out(code, best, places, f"%{made}.shared")
+        code = take_out(code, best, places, fresh(code))
     return code
+
+
+def fresh(code: Code) -> str:
+    """A name for a sequence that no label has yet."""
+    used = {item.name for item in code if isinstance(item, Label)}
+    return next(name for name in (f"%{n}.shared" for n in range(1, len(code) + 2)) if name not in used)
 
 
 def take_out(code: Code, sequence: tuple, places: list[int], name: str) -> Code:

@@ -60,7 +60,7 @@ def assemble(unit: Unit, functions: dict[str, Code], places: dict[str, int],
         else:
             at += 1
     if at > rom_words:
-        raise FirmwareError(f"firmware: error: {at} words of code, and the ROM has {rom_words}")
+        raise FirmwareError(f"firmware:1:1: error: {at} words of code, and the ROM has {rom_words}")
     words, listing = [], []
     for item in code:
         if isinstance(item, Label):

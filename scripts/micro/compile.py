@@ -29,10 +29,10 @@ def compile_text(text: str, name: str, micro: dict[str, int]) -> Firmware:
     places, ram_words = layout.place_variables(unit, 0)
     room = micro["ram_words"] - RETURN_DEPTH
     if ram_words > room:
-        raise FirmwareError(f"{name}: error: {ram_words} words of variables, and the RAM has {room}")
+        raise FirmwareError(f"{name}:1:1: error: {ram_words} words of variables, and the RAM has {room}")
     depth = layout.call_depth(unit)
     if depth > RETURN_DEPTH:
-        raise FirmwareError(f"{name}: error: calls {depth} deep, and {RETURN_DEPTH} returns are kept")
+        raise FirmwareError(f"{name}:1:1: error: calls {depth} deep, and {RETURN_DEPTH} returns are kept")
     words, listing = assemble(unit, functions, places, micro["rom_words"])
     return Firmware(words, ram_words, depth, listing, places)
 

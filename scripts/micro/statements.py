@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pycparser import c_ast
 
-from micro.code import COMPARES, Generator
+from micro.code import COMPARES, Generator, has_call
 from micro.front import Function, Unit, fail, fold
 from micro.isa import MOST, Instruction, Label
 
@@ -44,6 +44,8 @@ class FunctionGenerator(Generator):
     def on_Assignment(self, node: c_ast.Assignment) -> None:  # noqa: N802
         value = node.rvalue
         if node.op != "=":
+            if isinstance(node.lvalue, c_ast.ArrayRef) and has_call(node.lvalue.subscript):
+                fail(node, "this index would be evaluated twice, and it has a call: give it a variable of its own")
             value = c_ast.BinaryOp(node.op[:-1], node.lvalue, node.rvalue, node.coord)
         if isinstance(node.lvalue, c_ast.ID):
             place: tuple[str, int] | None = (self.variable(node.lvalue), 0)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A controller without its micro-sequencer (controller_bus.v: MPU2, sizes of the HX8K, a millisecond of 40
-// clocks), which a test drives through its bus as the firmware would, and through its pins.
+// A controller without its micro-sequencer (controller_bus.v: MPU2, sizes of the HX8K, a
+// millisecond of 40 clocks), which a test drives through its bus as the firmware would, and through
+// its pins.
 #pragma once
 
 #include <gtest/gtest.h>

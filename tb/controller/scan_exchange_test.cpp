@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The host exchange: every kind of request against a model, stopped and while a program runs, all of its
-// points in one scan.
+// The host exchange: every kind of request against a model, stopped and while a program runs, all
+// of its points in one scan.
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -29,8 +29,8 @@ class Exchange : public testing::Test {
       std::vector<std::uint16_t> entries;
       for (int& device : map) {
         if (random_.percent(80)) device = random_.below(words ? 256 : 1024);
-        entries.push_back(static_cast<std::uint16_t>(device < 0 ? random_.bits() & 0x7fff
-                                                                : 0x8000 | device));
+        entries.push_back(
+            static_cast<std::uint16_t>(device < 0 ? random_.bits() & 0x7fff : 0x8000 | device));
       }
       bus_.load(words ? c::space_word_map : c::space_bit_map, 0, entries);
     }
@@ -46,15 +46,15 @@ class Exchange : public testing::Test {
     ExchangeRequest request;
     request.words = random_.percent(50);
     request.raw = random_.percent(30);
-    const int points = request.words ? (request.raw ? 256 : kWordPoints)
-                                     : (request.raw ? 1024 : kBitPoints);
-    const int bound = std::min(most, request.words ? 125 : 2000);
+    const int points =
+        request.words ? (request.raw ? 256 : kWordPoints) : (request.raw ? 1024 : kBitPoints);
+    const int bound = std::min({most, points, request.words ? 125 : 2000});
     const int write = random_.percent(60) ? 1 + random_.below(bound) : 0;
     const int read = random_.percent(write > 0 ? 50 : 100) && write < bound
                          ? 1 + random_.below(bound - write)
                          : 0;
-    request.write_first = random_.below(points - std::min(points - 1, write));
-    request.read_first = random_.below(points - std::min(points - 1, read));
+    request.write_first = random_.below(points - write + 1);
+    request.read_first = random_.below(points - read + 1);
     for (int i = 0; i < write; ++i) {
       request.data.push_back(
           static_cast<std::uint16_t>(random_.bits() & (request.words ? 0xffff : 1)));
@@ -148,7 +148,8 @@ TEST_F(Exchange, AsManyPointsAsThePhaseIsFor) {
       request.words = i % 2 != 0;
       const int write = i % 3 == 0 ? 0 : i % 3 == 1 ? points / 2 : std::min(points, 120);
       for (int k = 0; k < write; ++k) {
-        request.data.push_back(static_cast<std::uint16_t>(random_.bits() & (request.words ? 0xffff : 1)));
+        request.data.push_back(
+            static_cast<std::uint16_t>(random_.bits() & (request.words ? 0xffff : 1)));
       }
       request.read_count = std::min(points - write, 125);
       ASSERT_NO_FATAL_FAILURE(check(request));
@@ -200,8 +201,10 @@ TEST_F(Exchange, AReadSeesOneScan) {
 
 // The program sees all of a write or nothing: it counts the scans in which two words differ.
 TEST_F(Exchange, AWriteChangesOneScan) {
-  bus_.load_steps({test(isa::Mpu::Mpu2, Opcode::Eq, 0, 60, 5), contact(Opcode::Ld, 5),
-                   plain(Opcode::Inv), with_constant(Opcode::Add, 100, 1, 100, false)});
+  bus_.load1(c::space_lut, 0, 0x0f);  // not a
+  bus_.load_steps({test(isa::Mpu::Mpu2, Opcode::Eq, 0, 60, 5),
+                   look_up(Opcode::Lut, 0, {5, false}, {5, false}, {5, false}),
+                   with_constant(Opcode::Add, 100, 1, 100, false)});
   bus_.setup(c::setup_exchange_points, 64);
   bus_.run();
   for (int i = 1; i < 300; ++i) {

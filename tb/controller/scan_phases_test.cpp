@@ -14,17 +14,18 @@ namespace rung::tb {
 namespace {
 
 namespace c = controller;
-using isa::Mpu;
 using isa::Opcode;
 
-constexpr int kFlip = 20, kLast = 21;  // bit devices
+constexpr int kFlip = 20;    // a bit device
+constexpr int kNotA = 0x0f;  // LUT row: not a
 
 class Scans : public testing::Test {
  protected:
   // Y of all pins flips each scan; `more` instructions that do nothing.
   void load_flip(int more = 0) {
-    std::vector<isa::SlotInstruction> steps = {contact(Opcode::Ld, kFlip), plain(Opcode::Inv),
-                                               coil(Mpu::Mpu2, Opcode::Out, kFlip)};
+    bus_.load1(c::space_lut, 0, kNotA);
+    std::vector<isa::SlotInstruction> steps = {
+        look_up(Opcode::Luto, 0, device(kFlip), device(kFlip), device(kFlip))};
     for (int i = 0; i < more; ++i) steps.push_back(nop());
     bus_.load_steps(steps);
     program_clocks_ = static_cast<int>(steps.size()) + isa::constant::fill_clocks;
@@ -72,6 +73,7 @@ TEST_F(Scans, ClocksAreAConstantWhateverHappens) {
       EXPECT_EQ(max(), 0U);
       bus_.run();
       bus_.before = [&] { bus_->in_i = static_cast<std::uint32_t>(random.bits()); };
+      bus_.wait_scans(1);
       const std::uint32_t begin = bus_.scans();
       while (bus_.scans() - begin < 60) {
         ExchangeRequest request;
@@ -150,8 +152,8 @@ TEST_F(Scans, AWatchdogTripsAtItsClock) {
     const std::uint32_t safe = bus_->out_o;
     while (bus_->out_o == safe) bus_.clock();
     const std::int64_t latch = bus_.now - (needs - c::micro_exchange_clocks);
-    bus_.setup32(c::setup_watchdog_low, static_cast<std::uint32_t>(watchdog));
     bus_.clocks(500);
+    bus_.setup32(c::setup_watchdog_low, static_cast<std::uint32_t>(watchdog));
     const std::uint32_t count = bus_.scans();
     while (bus_->fault_o == 0 && bus_.now < latch + 2 * kPeriod) bus_.clock();
     EXPECT_EQ(bus_.now, latch + kPeriod + watchdog);

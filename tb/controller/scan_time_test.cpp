@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Time of a program: ticks and clock relays against the formulas of rungs/special.hpp, at captures of every
-// distance, over many periods of the slowest relay.
+// Time of a program: ticks and clock relays against the formulas of rungs/special.hpp, at captures
+// of every distance, over many periods of the slowest relay.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -64,7 +64,8 @@ class TimeBase : public testing::Test {
 
 TEST_F(TimeBase, EveryDistance) {
   RandomSource random(1);
-  for (const std::int64_t distance : {1, 2, 3, 4, 5, 6, 7, 24, 25, 26, 49, 50, 51, 499, 500, 501, 2503}) {
+  for (const std::int64_t distance :
+       {1, 2, 3, 4, 5, 6, 7, 24, 25, 26, 49, 50, 51, 499, 500, 501, 2503}) {
     for (std::int64_t i = 1; i < 1 + random.below(50); ++i) clock();
     capture(1, true);
     for (int scan = 0; scan < 300; ++scan) ASSERT_NO_FATAL_FAILURE(capture(distance, false));

@@ -137,18 +137,14 @@ class Generator:
             self.emit(operation, (temporary, 0))
             self.used = mark
         else:
+            # C leaves the order open; from left to right where it costs nothing.
             mark = self.used
-            self.expression(left)
-            first = self.temporary()
-            self.emit("STORE", (first, 0))
-            self.expression(right)
-            if operation in COMMUTATIVE:
-                self.emit(operation, (first, 0))
-            else:
-                second = self.temporary()
-                self.emit("STORE", (second, 0))
-                self.emit("LOAD", (first, 0))
-                self.emit(operation, (second, 0))
+            first, then = (left, right) if operation in COMMUTATIVE else (right, left)
+            self.expression(first)
+            temporary = self.temporary()
+            self.emit("STORE", (temporary, 0))
+            self.expression(then)
+            self.emit(operation, (temporary, 0))
             self.used = mark
 
     def expression(self, node: c_ast.Node) -> None:
@@ -217,12 +213,26 @@ class Generator:
             self.multiply(node)
         elif operation in BINARY:
             right = self.const(node.right)
+            if operation == "&" and right is not None and self.shift_out(node.left, right):
+                return
             if operation == "-" and right is not None and right > MOST:
                 self.operate("ADD", node.left, c_ast.Constant("int", str(-right & 0xFFFF), node.coord))
             else:
                 self.operate(BINARY[operation], node.left, node.right)
         else:
             fail(node, f"operator {operation} is not in the language here")
+
+    def shift_out(self, value: c_ast.Node, mask: int) -> bool:
+        """acc = value & mask by two shifts, if the mask is one run of bits at an end and a long number."""
+        low = mask & mask + 1 == 0
+        if mask <= MOST or not (low or (mask | mask - 1) == 0xFFFF):
+            return False
+        count = 16 - mask.bit_count()
+        self.expression(value)
+        if count:
+            self.emit("SHIFT", count if low else 16 + count)
+            self.emit("SHIFT", 16 + count if low else count)
+        return True
 
     def multiply(self, node: c_ast.BinaryOp) -> None:
         left, right = node.left, node.right

@@ -123,15 +123,16 @@ static u16 written(u16 k) {
 }
 
 static u16 of_controller(u16 first, u16 count) {
-  return first >= FIRST_HOLDING && (first & 0x1FFF) + count <= HOLDING_REGISTERS;
+  return !count || (first >= FIRST_HOLDING && (first & 0x1FFF) + count <= HOLDING_REGISTERS);
 }
 
 static u16 serve_controller(void) {
   u16 k;
   u16 wrong;
   u16 really;
-  if (write_count && !of_controller(write_first, write_count)) return ILLEGAL_ADDRESS;
-  if (read_count && !of_controller(read_first, read_count)) return ILLEGAL_ADDRESS;
+  if (!of_controller(write_first, write_count) || !of_controller(read_first, read_count)) {
+    return ILLEGAL_ADDRESS;
+  }
   write_first = write_first & 0x1FFF;
   read_first = read_first & 0x1FFF;
   // a window only from its first word on
@@ -157,7 +158,7 @@ static u16 serve_devices(void) {
   u16 k;
   u16 control;
   u16 word;
-  control = words << 2;
+  control = words * WORDS;
   wanted_kind = words ? 2 : function != READ_INPUTS;
   if (write_count) {
     if (find_points(write_first, write_count)) return ILLEGAL_ADDRESS;
@@ -257,8 +258,7 @@ static u16 identify(void) {
   } else if (object >= OBJECTS) {
     object = 0;
   }
-  put(14);
-  put(rx(3));
+  put_word(14 << 8 | rx(3));
   put(0x81);    // conformity: basic objects, as a stream and one by one
   put_word(0);  // nothing follows
   if (rx(3) == 4) {

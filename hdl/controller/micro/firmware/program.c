@@ -81,7 +81,7 @@ static void start(void) {
 static void clear_devices(u16 is_words, u16 count) {
   u16 device;
   u16 k;
-  io_write(REG(LOAD_SPACE), is_words ? SPACE_WORDS : SPACE_BITS);
+  io_write(REG(LOAD_SPACE), SPACE_BITS + is_words);
   device = 0;
   while (device < count) {
     for (k = 0; k < KEEP_WORDS; k = k + 4) {

@@ -29,16 +29,16 @@ u16 window_wanted[2];  // what window() will be when the request is carried out
 // What never changes: registers, and what a load file has to say of its kind.
 static void describe(void) {
   HELD(IDENTITY) = 0x5247;
-  HELD(INTERFACE) = 1;
-  HELD(BOARD) = io_read(REG(BOARD_ID));
-  HELD(CONFIG) = io_read(REG(CONFIG_ID));
-  HELD(MPU) = io_read(REG(MPU));
-  HELD(TABLES) = TABLES;
   file_header[0] = FILE_MAGIC;
+  HELD(INTERFACE) = 1;
   file_header[1] = 1;
-  file_header[2] = TABLES;
+  HELD(TABLES) = TABLES;
+  file_header[2] = HELD(TABLES);
+  HELD(CONFIG) = io_read(REG(CONFIG_ID));
   file_header[3] = HELD(CONFIG);
+  HELD(BOARD) = io_read(REG(BOARD_ID));
   file_header[4] = HELD(BOARD);
+  HELD(MPU) = io_read(REG(MPU));
   file_header[5] = HELD(MPU);
 }
 

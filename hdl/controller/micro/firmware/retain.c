@@ -26,6 +26,10 @@
 // Most points of one raw exchange: what goes into the buffer as words.
 #define MOST_RAW 128
 
+#if SPACE_WORDS != SPACE_BITS + 1
+#error "spaces of words are told from those of bits by one bit more"
+#endif
+
 // values(): what to do with them
 #define SUM 0
 #define SAVE 1
@@ -84,7 +88,7 @@ static u16 values(u16 what) {
     left = keep(k + 2);
     if (what != CLEAR && !(keep(k) & KEEP_SAVED)) continue;
     if (what >= RESTORE) {
-      io_write(REG(LOAD_SPACE), is_words ? SPACE_WORDS : SPACE_BITS);
+      io_write(REG(LOAD_SPACE), SPACE_BITS + is_words);
       io_write(REG(LOAD_ADDRESS), read_first);
     }
     have = 0;
@@ -105,7 +109,7 @@ static u16 values(u16 what) {
           if (have > MOST_RAW) have = MOST_RAW;
           if (have > left + count) have = left + count;
           read_count = have;
-          if (exchange(is_words ? READ + RAW + WORDS : READ + RAW)) return 1;
+          if (exchange(READ + RAW + is_words * WORDS)) return 1;
           read_first = read_first + have;
           if (!is_words) have = (have + 15) >> 4;
           from = EXCHANGE_READ;

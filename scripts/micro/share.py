@@ -5,7 +5,8 @@ from __future__ import annotations
 
 from collections import Counter, defaultdict
 
-from micro.isa import JUMPS, Instruction, Label
+from micro import depth
+from micro.isa import JUMPS, RETURN_DEPTH, Instruction, Label
 
 Code = list[Instruction | Label]
 SHORTEST, LONGEST = 2, 24
@@ -96,16 +97,22 @@ def gain(sequence: tuple, count: int) -> int:
 
 
 def share(code: Code, routines: int) -> Code:
-    """Takes out the best sequence, again and again."""
+    """Takes out the best sequence, again and again; not one whose call would be one too deep."""
     made = 0
+    too_deep: set[tuple] = set()
     while made < routines:
         best, places = max(((sequence, apart(starts, len(sequence)))
-                            for sequence, starts in windows(code).items() if len(starts) > 1),
+                            for sequence, starts in windows(code).items()
+                            if len(starts) > 1 and sequence not in too_deep),
                            key=lambda each: gain(each[0], len(each[1])), default=((), []))
         if not best or gain(best, len(places)) <= 0:
             return code
+        shorter = take_out(code, best, places, fresh(code))
+        if depth.of_code(shorter) > RETURN_DEPTH:
+            too_deep.add(best)
+            continue
         made += 1
-        code = take_out(code, best, places, fresh(code))
+        code = shorter
     return code
 
 

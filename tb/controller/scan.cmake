@@ -2,7 +2,7 @@
 # unit_scan: all of the controller but its micro-sequencer and UART, driven through its bus, and its time base.
 file(GLOB controller_sources CONFIGURE_DEPENDS
      ${RUNG_ROOT}/hdl/controller/*.v ${RUNG_ROOT}/hdl/core/*.v ${RUNG_ROOT}/hdl/peripherals/*.v
-     ${RUNG_ROOT}/hdl/mpu?.v ${RUNG_ROOT}/hdl/boards/ladder_ports.v)
+     ${RUNG_ROOT}/hdl/*.v ${RUNG_ROOT}/hdl/boards/ladder_ports.v)
 list(FILTER controller_sources EXCLUDE REGEX "controller/controller(_core)?\\.v$")
 
 add_library(rung_scan_models STATIC)

@@ -7,15 +7,14 @@ import random
 
 MOST_COST = 3000         # statements executed in a call of a function, about
 CONSTANTS = (0, 1, 2, 3, 7, 8, 15, 16, 255, 256, 2047, 2048, 2049, 4095, 0x4000, 0x7FFF, 0x8000, 0xFFFE, 0xFFFF)
-REGISTERS = 0x4000
 
 
 class Writer:
     """One program. `name` goes before all its names, so that many can stand in one file."""
 
-    def __init__(self, name: str, seed: int) -> None:
+    def __init__(self, name: str, seed: int, registers: int) -> None:
         self.random = random.Random(seed)
-        self.name = name
+        self.name, self.registers = name, registers   # the bus' first register
         self.scalars = [f"{name}_g{i}" for i in range(self.random.randint(2, 5))]
         self.arrays = {f"{name}_a{i}": self.random.choice((2, 4, 8, 16)) for i in range(2)}
         self.functions: list[tuple[str, int, bool, int]] = []   # name, parameters, gives, cost
@@ -38,8 +37,8 @@ class Writer:
 
     def address(self, private: bool, depth: int) -> str:
         if self.chance(60):
-            return str(REGISTERS + self.random.randrange(120))
-        return f"(u16)({self.random.choice((0x2000, 0x3000))} + ({self.plain(private, depth)} & 255))"
+            return str(self.registers + self.random.randrange(120))
+        return f"(u16)({self.random.choice((self.registers, 0x2000, 0x3000))} + ({self.plain(private, depth)} & 255))"
 
     def leaf(self, private: bool) -> str:
         kind = self.random.randrange(10)
@@ -278,10 +277,10 @@ class Writer:
             self.line(1, f"return {self.plain(False, 3) if self.chance(70) else self.value(2)};")
         elif name == "firmware_poll":
             for scalar in self.scalars:
-                self.line(1, f"io_write({REGISTERS + 200}, {scalar});")
+                self.line(1, f"io_write({self.registers + 122}, {scalar});")
             for array, size in self.arrays.items():
                 self.line(1, f"for (u16 {array}_k = 0; {array}_k < {size}; {array}_k++) "
-                             f"io_write({REGISTERS + 201}, {array}[{array}_k]);")
+                             f"io_write({self.registers + 123}, {array}[{array}_k]);")
         self.line(0, "}")
         if static:
             self.functions.append((name, parameters, gives, self.cost))
@@ -298,5 +297,5 @@ class Writer:
         return "\n".join(self.lines) + "\n"
 
 
-def random_program(name: str, seed: int) -> str:
-    return Writer(name, seed).text()
+def random_program(name: str, seed: int, registers: int) -> str:
+    return Writer(name, seed, registers).text()

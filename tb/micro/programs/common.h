@@ -2,5 +2,5 @@
 typedef unsigned short u16;
 u16 io_read(u16 address);
 void io_write(u16 address, u16 value);
-#define OUT 0x4010
-#define IN 0x4020
+#define OUT (REGISTERS + 16)
+#define IN (REGISTERS + 32)

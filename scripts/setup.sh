@@ -25,11 +25,12 @@ build=$root/build
 logs=$build/logs
 venv=$build/venv
 
-build_packages=(g++ tcc cmake ninja-build ccache verilator python3 zlib1g-dev
+build_packages=(g++ tcc cmake ninja-build ccache verilator python3 python3-pycparser zlib1g-dev
                 libgtest-dev libcli11-dev libfmt-dev nlohmann-json3-dev libutfcpp-dev
                 libtomlplusplus-dev libmodbus-dev
                 gcc-avr avr-libc libsimavr-dev)
-venv_packages=(python3 python3-venv ca-certificates)
+# gcc preprocesses the controller's firmware, pycparser reads it (scripts/gen_firmware.py).
+venv_packages=(python3 python3-venv python3-pycparser gcc ca-certificates)
 
 say() { printf 'setup: %s\n' "$*"; }
 fail() { printf 'setup: %s\n' "$*" >&2; exit 1; }

@@ -12,7 +12,8 @@ from micro.isa import JUMPS, MISC, OPCODES, OPERAND_BITS, TARGET_BITS, encode
 
 PAGE = Path(__file__).resolve().parents[2] / "hdl" / "controller" / "micro" / "README.md"
 BEGIN, END = "<!-- instructions: python3 -m micro.page --write -->\n", "<!-- end of instructions -->\n"
-JUMP_MEANINGS = {"JUMP": "to n", "JZ": "to n if acc is 0", "JNZ": "to n if acc is not 0", "CALL": "to n; RETURN comes back"}
+JUMP_MEANINGS = {"JUMP": "to n", "JZ": "to n if acc is 0", "JNZ": "to n if acc is not 0",
+                 "CALL": "to n; RETURN comes back"}
 
 
 def table() -> str:
@@ -39,8 +40,8 @@ def main() -> int:
     if sys.argv[1:] == ["--write"]:
         PAGE.write_text(new)
     elif new != text:
-        print(f"{PAGE}:1:1: error: the table is not what scripts/micro/isa.py says: PYTHONPATH=scripts python3 -m micro.page --write",
-              file=sys.stderr)
+        print(f"{PAGE}:1:1: error: the table is not what scripts/micro/isa.py says: "
+              "PYTHONPATH=scripts python3 -m micro.page --write", file=sys.stderr)
         return 1
     return 0
 

@@ -81,8 +81,8 @@ def native(folder: Path, programs: list[Program], together: bool) -> dict[str, l
             unit = folder / f"native_{program.name}.c"
             unit.write_text("".join(text))
             objects.append(str(unit.with_suffix(".o")))
-            gcc("-O1" if not together else "-O0", *(f"-I{path}" for path in program.include), *(f"-D{d}" for d in program.defines),
-                "-c", str(unit), "-o", objects[-1])
+            gcc("-O0" if together else "-O1", *(f"-I{path}" for path in program.include),
+                *(f"-D{define}" for define in program.defines), "-c", str(unit), "-o", objects[-1])
             text = []
     gcc("-O1", f'-DPROGRAMS="{listed}"', str(HERE / "native.c"), *objects, "-o", str(folder / "native"))
     return events(subprocess.run([str(folder / "native"), str(programs[0].events), str(programs[0].polls)],
@@ -122,8 +122,8 @@ def compare(run: str, programs: list[Program], together: bool, again: str,
         mine, right = got.get(program.name, []), wanted[program.name]
         if program.name not in bad and mine != right:
             at = next((i for i, (a, b) in enumerate(zip(mine, right)) if a != b), min(len(mine), len(right)))
-            print(f"{program.name}: event {at} is {(mine + ['missing'] * (at + 1))[at]}, natively {right[at] if at < len(right) else 'missing'}\n"
-                  f"  {again.format(program.seed)}")
+            is_, should = ((each[at] if at < len(each) else "missing") for each in (mine, right))
+            print(f"{program.name}: event {at} is {is_}, natively {should}\n  {again.format(program.seed)}")
             bad.add(program.name)
     total = sum(len(each) for each in wanted.values())
     print(f"{len(programs)} programs, {total} reads and writes of the bus, {len(bad)} programs differ")
@@ -132,7 +132,9 @@ def compare(run: str, programs: list[Program], together: bool, again: str,
 
 
 def test_programs(run: str, _: Path) -> int:
-    programs = [Program(path.stem, path, 1 + i, [], [f"REGISTERS={MICRO['registers']}"]) for i, path in enumerate(sorted((HERE / "programs").glob("*.c")))]
+    defines = [f"REGISTERS={MICRO['registers']}"]
+    programs = [Program(path.stem, path, 1 + i, [], defines)
+                for i, path in enumerate(sorted((HERE / "programs").glob("*.c")))]
     return compare(run, programs, False, "programs/, seed of the bus {}")
 
 

@@ -1,13 +1,16 @@
 /* SPDX-License-Identifier: Apache-2.0
-   Runs natively compiled programs; micro_test.py compiles it with PROGRAMS, a list of PROGRAM(name, seed): name_reset
-   and name_poll are the program. usage: native EVENTS POLLS: as micro_run prints it, at most so many each. */
+   Runs natively compiled programs; micro_test.py compiles it with PROGRAMS, a list of PROGRAM(name,
+   seed): name_reset and name_poll are the program. usage: native EVENTS POLLS: as micro_run prints
+   it, at most so many each. */
 #include "native.h"
 
 #include <setjmp.h>
 #include <stdio.h>
 #include <stdlib.h>
 
-#define PROGRAM(name, seed) void name##_reset(void); void name##_poll(void);
+#define PROGRAM(name, seed) \
+  void name##_reset(void);  \
+  void name##_poll(void);
 #include PROGRAMS
 #undef PROGRAM
 
@@ -29,7 +32,8 @@ void io_write(uint16_t address, uint16_t value) {
   printf("w %x %x\n", address, value);
 }
 
-static void run(const char* name, uint32_t seed, void (*reset)(void), void (*poll)(void), unsigned polls) {
+static void run(const char* name, uint32_t seed, void (*reset)(void), void (*poll)(void),
+                unsigned polls) {
   puts(name);
   seed_now = seed;
   events = 0;

@@ -141,7 +141,7 @@ def test_programs(run: str, _: Path) -> int:
 def test_random(run: str, _: Path) -> int:
     first = int(os.environ.get("RUNG_SEED", time.time_ns() % 1_000_000_000))
     count = int(os.environ.get("RUNG_COUNT", 100))
-    print(f"seeds from {first} on; again: RUNG_SEED={first} RUNG_COUNT={count} {' '.join(sys.argv)}")
+    print(f"seeds from {first} on; again: RUNG_SEED={first} RUNG_COUNT={count} python3 {' '.join(sys.argv)}")
     with tempfile.TemporaryDirectory() as scratch:
         programs = []
         for i in range(count):
@@ -149,7 +149,7 @@ def test_random(run: str, _: Path) -> int:
             path = Path(scratch) / f"{name}.c"
             path.write_text(random_program(name, first + i, MICRO["registers"]))
             programs.append(Program(name, path, first + i))
-        bad = compare(run, programs, True, f"again: RUNG_SEED={{}} RUNG_COUNT=1 {' '.join(sys.argv)}")
+        bad = compare(run, programs, True, f"again: RUNG_SEED={{}} RUNG_COUNT=1 python3 {' '.join(sys.argv)}")
         if bad and count == 1:
             print(programs[0].source.read_text())
         return bad

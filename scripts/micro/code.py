@@ -21,8 +21,8 @@ COMPARES = ("==", "!=", "<", "<=", ">", ">=")
 class Generator:
     """The code of one function."""
 
-    def __init__(self, unit: Unit, function: Function, registers: int) -> None:
-        self.unit, self.function, self.registers = unit, function, registers
+    def __init__(self, unit: Unit, function: Function) -> None:
+        self.unit, self.function = unit, function
         self.out: list[Instruction | Label] = []
         self.labels = 0
         self.used = 0                      # temporaries in use

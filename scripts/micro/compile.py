@@ -25,7 +25,7 @@ class Firmware:
 def compile_text(text: str, name: str, micro: dict[str, int]) -> Firmware:
     """`micro` is [micro] of controller.toml. Raises FirmwareError."""
     unit = parse(text, name)
-    functions = generate(unit, micro["registers"])
+    functions = generate(unit)
     places, ram_words = layout.place_variables(unit, 0)
     room = micro["ram_words"] - RETURN_DEPTH
     if ram_words > room:

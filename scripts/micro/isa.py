@@ -92,3 +92,15 @@ def encode(name: str, operand: int) -> int:
     halved = any(other[0] == opcode ^ HALF for other in OPCODES.values())
     assert 0 <= operand < 1 << (high if halved else OPERAND_BITS), (name, operand)
     return (opcode % HALF) << OPERAND_BITS | opcode // HALF << high | operand
+
+
+def table() -> str:
+    """The instructions as the README has them."""
+    rows = ["| Instruction | Word | Does |", "|---|---|---|"]
+    for name, (_, kind, meaning) in OPCODES.items():
+        if name != "MISC":
+            rows.append(f"| {name} n | {encode(name, 0):04x} | {meaning} |")
+    rows += [f"| {name} | {encode(name, 0):04x} | {meaning} |" for name, (_, meaning) in MISC.items()]
+    meanings = {"JUMP": "to t", "JZ": "to t if acc, or the test, is 0", "JNZ": "to t if it is not", "CALL": "to t, until RETURN"}
+    rows += [f"| {name} t | {encode(name, 0):04x} | {meanings[name]} |" for name in JUMPS]
+    return "\n".join(rows) + "\n"

@@ -204,9 +204,9 @@ class FunctionGenerator(Generator):
             self.used = mark
 
 
-def generate(unit: Unit, registers: int) -> dict[str, list[Instruction | Label]]:
+def generate(unit: Unit) -> dict[str, list[Instruction | Label]]:
     """The code of every function; their temporaries become variables of theirs."""
-    return {name: FunctionGenerator(unit, function, registers).function_code()
+    return {name: FunctionGenerator(unit, function).function_code()
             for name, function in unit.functions.items()}
 
 

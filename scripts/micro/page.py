@@ -12,7 +12,7 @@ from micro.isa import JUMPS, MISC, OPCODES, OPERAND_BITS, TARGET_BITS, encode
 
 PAGE = Path(__file__).resolve().parents[2] / "hdl" / "controller" / "micro" / "README.md"
 BEGIN, END = "<!-- instructions: python3 -m micro.page --write -->\n", "<!-- end of instructions -->\n"
-JUMP_MEANINGS = {"JUMP": "to n", "JZ": "to n if acc is 0", "JNZ": "to n if acc is not 0",
+JUMP_MEANINGS = {"JUMP": "to n", "JZ": "to n if the test, or acc, is 0", "JNZ": "to n if it is not 0",
                  "CALL": "to n; RETURN comes back"}
 
 

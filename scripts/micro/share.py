@@ -96,13 +96,13 @@ def gain(sequence: tuple, count: int) -> int:
 
 
 def share(code: Code, routines: int) -> Code:
-    """Takes out the best sequence, again and again."""
+    """Takes out the best sequence, of equal ones the longest, again and again."""
     made = 0
     while made < routines:
         best, places = max(((sequence, apart(starts, len(sequence)))
                             for sequence, starts in windows(code).items() if len(starts) > 1),
-                           key=lambda each: gain(each[0], len(each[1])), default=((), []))
-        if not best or gain(best, len(places)) <= 0:
+                           key=lambda each: (gain(each[0], len(each[1])), len(each[0])), default=((), []))
+        if not best or gain(best, len(places)) < 0:  # what gains nothing yet may end alike
             return code
         made += 1
         code = take_out(code, best, places, fresh(code))

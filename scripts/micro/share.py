@@ -97,15 +97,16 @@ def gain(sequence: tuple, count: int) -> int:
 
 
 def share(code: Code, routines: int) -> Code:
-    """Takes out the best sequence, again and again; not one whose call would be one too deep."""
+    """Takes out the best sequence, of equal ones the longest, again and again; not one whose call would be
+    one too deep."""
     made = 0
     too_deep: set[tuple] = set()
     while made < routines:
         best, places = max(((sequence, apart(starts, len(sequence)))
                             for sequence, starts in windows(code).items()
                             if len(starts) > 1 and sequence not in too_deep),
-                           key=lambda each: gain(each[0], len(each[1])), default=((), []))
-        if not best or gain(best, len(places)) <= 0:
+                           key=lambda each: (gain(each[0], len(each[1])), len(each[0])), default=((), []))
+        if not best or gain(best, len(places)) < 0:  # what gains nothing yet may end alike
             return code
         shorter = take_out(code, best, places, fresh(code))
         if depth.of_code(shorter) > RETURN_DEPTH:

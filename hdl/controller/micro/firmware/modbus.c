@@ -207,15 +207,13 @@ static u16 points_request(void) {
 
 // Objects of the device identification
 static void put_number(u16 number) {
-  if (number >= 10) {
-    u16 tens;
-    tens = 0;
-    while (number >= 10) {
-      number = number - 10;
-      tens = tens + 1;
-    }
-    put('0' + tens);
+  u16 tens;
+  tens = 0;
+  while (number >= 10) {
+    number = number - 10;
+    tens = tens + 1;
   }
+  if (tens) put('0' + tens);
   put('0' + number);
 }
 

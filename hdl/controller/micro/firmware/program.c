@@ -95,9 +95,8 @@ static void clear_devices(u16 is_words, u16 count) {
   }
 }
 
-// STOP to RUN
+// STOP to RUN. Without a program the devices are 0 already, and start() does nothing.
 static void run(void) {
-  if (no_program) return;
   clear_devices(0, BIT_DEVICES);
   clear_devices(1, WORD_DEVICES);
   start();

@@ -68,7 +68,7 @@ def rung_design(mpu: int, board: Board) -> Design:
     """A processor of this project in its board top."""
     hdl = tools.ROOT / "hdl"
     sources = sorted(hdl.glob("*.v")) + sorted((hdl / "core").glob("*.v")) + sorted(
-        (hdl / "peripherals").glob("*.v")) + [hdl / "controller" / "processor.v"] + [
+        (hdl / "peripherals").glob("*.v")) + [
         hdl / "boards" / f"{name}.v"
         for name in ("power_on_reset", "serial_link", "ladder_ports", "board_core", board.name)]
     return Design(f"{board.name}-mpu{mpu}", board.name, tuple(sources), (tools.GENERATED, hdl / "core"),

@@ -2,7 +2,7 @@
 # unit_scan: all of the controller but its micro-sequencer and UART, driven through its bus, and its time base.
 file(GLOB controller_sources CONFIGURE_DEPENDS
      ${RUNG_ROOT}/hdl/controller/*.v ${RUNG_ROOT}/hdl/core/*.v ${RUNG_ROOT}/hdl/peripherals/*.v
-     ${RUNG_ROOT}/hdl/mpu?.v ${RUNG_ROOT}/hdl/boards/ladder_ports.v)
+     ${RUNG_ROOT}/hdl/*.v ${RUNG_ROOT}/hdl/boards/ladder_ports.v)
 list(FILTER controller_sources EXCLUDE REGEX "controller/controller(_core)?\\.v$")
 
 add_library(rung_scan_models STATIC)
@@ -30,4 +30,5 @@ target_compile_options(unit_scan PRIVATE -O1)
 target_link_libraries(unit_scan PRIVATE rung_scan_models rung_driver rung_melsec rung_reference
                       GTest::gtest_main)
 target_include_directories(unit_scan PRIVATE ${RUNG_ROOT}/tb)
+target_compile_definitions(unit_scan PRIVATE RUNG_REPOSITORY="${RUNG_ROOT}")
 gtest_discover_tests(unit_scan NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60)

@@ -30,4 +30,5 @@ target_compile_options(unit_scan PRIVATE -O1)
 target_link_libraries(unit_scan PRIVATE rung_scan_models rung_driver rung_melsec rung_reference
                       GTest::gtest_main)
 target_include_directories(unit_scan PRIVATE ${RUNG_ROOT}/tb)
+target_compile_definitions(unit_scan PRIVATE RUNG_REPOSITORY="${RUNG_ROOT}")
 gtest_discover_tests(unit_scan NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60)

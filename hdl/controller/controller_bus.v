@@ -580,7 +580,8 @@ module controller_bus #(
       `RUNG_REG_SCAN_STATUS: begin
         value = {fault_number, 2'd0, error, next_first, run_switch, idle, state};
       end
-      `RUNG_REG_SCAN_COUNT_LOW, `RUNG_REG_SCAN_LAST_LOW, `RUNG_REG_SCAN_MIN_LOW, `RUNG_REG_SCAN_MAX_LOW:
+      `RUNG_REG_SCAN_COUNT_LOW, `RUNG_REG_SCAN_LAST_LOW, `RUNG_REG_SCAN_MIN_LOW,
+          `RUNG_REG_SCAN_MAX_LOW:
       value = wide[15:0];
       `RUNG_REG_SCAN_COUNT_HIGH, `RUNG_REG_SCAN_LAST_HIGH, `RUNG_REG_SCAN_MIN_HIGH,
           `RUNG_REG_SCAN_MAX_HIGH:

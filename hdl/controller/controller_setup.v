@@ -20,7 +20,7 @@ module controller_setup #(
     output wire [        31:0] watchdog_o,
     output wire [        15:0] filter_clocks_o,
     output wire [        31:0] pwm_hz_o,
-    output wire [        23:0] adc_route_o,        // channel of device port adc n in bits 3n + 2 to 3n
+    output wire [        23:0] adc_route_o,        // channel of device port adc n: 3n + 2 to 3n
     output wire [4*INPUTS-1:0] filter_samples_o,
     output wire [  INPUTS-1:0] invert_in_o,
     output wire [ OUTPUTS-1:0] safe_o,

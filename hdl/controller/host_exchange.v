@@ -174,7 +174,9 @@ module host_exchange #(
     access_exists_q <= exists;
     access_addr_q <= raw ? mapped_raw_q : address_i;
     access_data_q <= mask ? masked_q : words ? buffer_data : {15'd0, buffer_data[mapped_bit_q]};
-    if (answer_valid_i && state_q == MASK_WAIT) masked_q <= (answer_data_i & and_q) | (or_q & ~and_q);
+    if (answer_valid_i && state_q == MASK_WAIT) begin
+      masked_q <= (answer_data_i & and_q) | (or_q & ~and_q);
+    end
   end
   assign access_valid_o = access_valid_q;
   assign access_write_o = access_write_q;
@@ -199,7 +201,8 @@ module host_exchange #(
   reg buffer_we_q;
   reg [7:0] buffer_waddr_q;
   reg [15:0] buffer_wdata_q;
-  wire [7:0] buffer_raddr = waits_q ? (words ? point_q[7:0] : {1'b0, point_q[10:4]}) : buffer_addr_i;
+  wire [7:0] buffer_raddr = !waits_q ? buffer_addr_i :
+      words ? point_q[7:0] : {1'b0, point_q[10:4]};
   always @(posedge clk_i) begin
     buffer_we_q <= waits_q ? store : buffer_write_i;
     buffer_waddr_q <= waits_q ? READ_BUFFER + (words ? answers_q[7:0] : {1'b0, answers_q[10:4]}) :

@@ -268,7 +268,8 @@ module controller_bus #(
   wire [15:0] duty;
 
   io_list #(
-      .ANSWER_CLOCKS(ANSWER_CLOCKS)
+      .ANSWER_CLOCKS(ANSWER_CLOCKS),
+      .ADDR_BITS    (BIT_ADDR > WORD_ADDR ? BIT_ADDR : WORD_ADDR)
   ) io_list (
       .clk_i          (clk_i),
       .rst_ni         (scan_rst_n_q),

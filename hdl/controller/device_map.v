@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which device a Modbus point is: one table for bit points, one for word points, written by the firmware. The
-// answer to point_i comes in the next clock.
+// Which device a Modbus point is: one table for bit points, one for word points, written by the firmware while no
+// exchange waits, a word every three clocks at most. The answer to point_i comes in the next clock.
+// Whether a word point is a device stands in the bit points' table, so that both are as wide as block RAMs are on
+// iCE40 (1,024 words of 4 bits, 512 of 8): a write there keeps the other table's bits.
 `default_nettype none
 
 module device_map #(
@@ -23,28 +25,38 @@ module device_map #(
   localparam integer BIT_POINT = $clog2(BIT_POINTS);
   localparam integer WORD_POINT = $clog2(WORD_POINTS);
 
-  reg [BIT_ADDR:0] bit_ram[0:BIT_POINTS-1];
-  reg [WORD_ADDR:0] word_ram[0:WORD_POINTS-1];
-  reg [BIT_ADDR:0] bit_q;
-  reg [WORD_ADDR:0] word_data_q;
+  localparam integer POINT = BIT_POINT > WORD_POINT ? BIT_POINT : WORD_POINT;
+  localparam integer WORD_EXISTS = BIT_ADDR + 1;
+
+  (* no_rw_check *) reg [WORD_EXISTS:0] bit_ram[0:(1<<POINT)-1];
+  (* no_rw_check *) reg [WORD_ADDR-1:0] word_ram[0:WORD_POINTS-1];
+  reg [WORD_EXISTS:0] bit_q;
+  reg [WORD_ADDR-1:0] word_data_q;
   reg word_q;
+  reg bit_write_q, word_write_q;
+  reg [POINT-1:0] write_point_q;
+  reg [BIT_ADDR:0] write_data_q;
+  wire write = bit_write_i || word_write_i;
 
   always @(posedge clk_i) begin
-    if (bit_write_i) begin
-      bit_ram[write_point_i[BIT_POINT-1:0]] <= {write_data_i[15], write_data_i[BIT_ADDR-1:0]};
+    bit_write_q   <= bit_write_i;
+    word_write_q  <= word_write_i;
+    write_point_q <= write_point_i[POINT-1:0];
+    write_data_q  <= {write_data_i[15], write_data_i[BIT_ADDR-1:0]};
+    if (bit_write_q || word_write_q) begin
+      bit_ram[write_point_q] <= bit_write_q ? {bit_q[WORD_EXISTS], write_data_q} :
+          {write_data_q[BIT_ADDR], bit_q[BIT_ADDR:0]};
     end
-    bit_q <= bit_ram[point_i[BIT_POINT-1:0]];
+    bit_q <= bit_ram[write ? write_point_i[POINT-1:0] : point_i[POINT-1:0]];
   end
   always @(posedge clk_i) begin
-    if (word_write_i) begin
-      word_ram[write_point_i[WORD_POINT-1:0]] <= {write_data_i[15], write_data_i[WORD_ADDR-1:0]};
-    end
+    if (word_write_i) word_ram[write_point_i[WORD_POINT-1:0]] <= write_data_i[WORD_ADDR-1:0];
     word_data_q <= word_ram[point_i[WORD_POINT-1:0]];
     word_q <= word_i;
   end
 
-  assign exists_o = word_q ? word_data_q[WORD_ADDR] : bit_q[BIT_ADDR];
-  assign address_o = word_q ? {{16 - WORD_ADDR{1'b0}}, word_data_q[WORD_ADDR-1:0]} :
+  assign exists_o = bit_q[word_q ? WORD_EXISTS : BIT_ADDR];
+  assign address_o = word_q ? {{16 - WORD_ADDR{1'b0}}, word_data_q} :
       {{16 - BIT_ADDR{1'b0}}, bit_q[BIT_ADDR-1:0]};
   wire unused = &{1'b0, write_point_i, point_i, write_data_i};
 

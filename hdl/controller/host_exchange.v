@@ -196,7 +196,7 @@ module host_exchange #(
   always @(posedge clk_i) if (answered) gathered_q <= gathered;
 
   // ---- the buffer -----------------------------------------------------------------------------------------
-  reg [15:0] buffer_ram[0:255];
+  (* no_rw_check *) reg [15:0] buffer_ram[0:255];
   reg [15:0] buffer_q;
   reg buffer_we_q;
   reg [7:0] buffer_waddr_q;

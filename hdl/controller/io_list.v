@@ -11,7 +11,8 @@
 `include "rung_controller.vh"
 
 module io_list #(
-    parameter integer ANSWER_CLOCKS = 9  // from a read's access_valid_o to its answer
+    parameter integer ANSWER_CLOCKS = 9,  // from a read's access_valid_o to its answer
+    parameter integer ADDR_BITS = 14  // of a device
 ) (
     input  wire         clk_i,
     input  wire         rst_ni,
@@ -57,21 +58,34 @@ module io_list #(
   localparam integer REFRESH_CLOCKS = `RUNG_PHASES_REFRESH_CLOCKS;
 
   // ---- the list ------------------------------------------------------------------------------------
-  reg [15:0] address_ram[0:255];
-  reg [15:0] what_ram[0:255];
-  reg [1:0] force_ram[0:255];
+  // The force of an entry lies beside its address, in bits of its own. The list is written while the controller is
+  // stopped. A force comes at any time: it waits while its own entry is the one that is read, which the
+  // block RAMs would answer with anything; entry_q moves on with every clock.
+  (* no_rw_check *) reg [ADDR_BITS+1:0] address_ram[0:255];
+  (* no_rw_check *) reg [15:0] what_ram[0:255];
 
   reg [7:0] entry_q;
-  reg [15:0] address_q;
+  reg [ADDR_BITS-1:0] address_q;
   reg [15:0] what_q;
   reg [1:0] force_q;
+  reg force_waits_q;
+  reg [7:0] force_entry_q;
+  reg [1:0] force_data_q;
+  wire list_address = list_write_i && !list_addr_i[0];
+  wire force_write = force_waits_q && !list_address && force_entry_q != entry_q;
+  wire [7:0] write_entry = list_address ? list_addr_i[8:1] : force_entry_q;
+
   always @(posedge clk_i) begin
-    if (list_write_i && !list_addr_i[0]) address_ram[list_addr_i[8:1]] <= list_data_i;
+    if (force_write_i) begin
+      force_entry_q <= force_entry_i;
+      force_data_q  <= force_data_i;
+    end
+    force_waits_q <= force_write_i || (force_waits_q && !force_write);
+    if (list_address) address_ram[write_entry][ADDR_BITS-1:0] <= list_data_i[ADDR_BITS-1:0];
+    if (force_write) address_ram[write_entry][ADDR_BITS+1:ADDR_BITS] <= force_data_q;
+    {force_q, address_q} <= address_ram[entry_q];
     if (list_write_i && list_addr_i[0]) what_ram[list_addr_i[8:1]] <= list_data_i;
-    if (force_write_i) force_ram[force_entry_i] <= force_data_i;
-    address_q <= address_ram[entry_q];
     what_q <= what_ram[entry_q];
-    force_q <= force_ram[entry_q];
   end
 
   // ---- the walk: entry, its words, its access ------------------------------------------------------
@@ -80,7 +94,7 @@ module io_list #(
   reg [8:0] left_q;  // entries behind this one
   reg words_q;  // address_q and what_q are
   reg access_valid_q, access_write_q, access_word_q;
-  reg [15:0] access_addr_q;
+  reg [ADDR_BITS-1:0] access_addr_q;
   reg [15:0] access_data_q;
   reg [9:0] clocks_q;
   reg running_q;
@@ -178,7 +192,7 @@ module io_list #(
   assign access_valid_o = access_valid_q;
   assign access_write_o = access_write_q;
   assign access_word_o = access_word_q;
-  assign access_addr_o = access_addr_q;
+  assign access_addr_o = {{16 - ADDR_BITS{1'b0}}, access_addr_q};
   assign access_data_o = access_data_q;
   assign done_o = done_q;
   assign forced_o = forced_q;

@@ -202,7 +202,7 @@ module micro_sequencer #(
           if (shifts_q == 4'd1) state_q <= FETCH;
         end
         default: begin
-          pc_q <= jumps ? (taken ? instruction[11:0] : next_pc) : returns ? ram_data[11:0] : next_pc;
+          pc_q <= jumps && taken ? instruction[11:0] : returns ? ram_data[11:0] : next_pc;
           if (calls) depth_q <= depth_q + 4'd1;
           else if (returns) depth_q <= depth_q - 4'd1;
           if (compare) test_q <= equal ? acc_q == operand : !sum[16];

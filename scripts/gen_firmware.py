@@ -67,9 +67,10 @@ def write_rom(out, tables, notice):
                     f"calls {firmware['depth']} deep\n")
         size = -(-len(firmware["words"]) // ROM_STEP) * ROM_STEP
         deep = f"CONFIG_ID == {tables['ids'][name]} ? {size} : {deep}"
-        text.append(f"if (CONFIG_ID == {tables['ids'][name]}) begin\n")
-        text += [f"  rom[{i}] = 16'h{word:04x};\n" for i, word in enumerate(firmware["words"])]
-        text.append("end\n")
+        words = firmware["words"] + [0] * (size - len(firmware["words"]))
+        text.append(f"if (CONFIG_ID == {tables['ids'][name]}) begin : gen_{name}\n  initial begin\n")
+        text += [f"    rom[{i}] = 16'h{word:04x};\n" for i, word in enumerate(words)]
+        text.append("  end\nend\n")
         (out / f"firmware_{name}.lst").write_text("\n".join(firmware["listing"]) + "\n")
     depths.write_text(
         f"// {notice}\n  localparam integer FIRMWARE_WORDS = {deep};\n")

@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
 # unit_scan: all of the controller but its micro-sequencer and UART, driven through its bus, and its time base.
-file(GLOB controller_sources CONFIGURE_DEPENDS
+file(GLOB scan_sources CONFIGURE_DEPENDS
      ${RUNG_ROOT}/hdl/controller/*.v ${RUNG_ROOT}/hdl/core/*.v ${RUNG_ROOT}/hdl/peripherals/*.v
      ${RUNG_ROOT}/hdl/*.v ${RUNG_ROOT}/hdl/boards/ladder_ports.v)
-list(FILTER controller_sources EXCLUDE REGEX "controller/controller(_core)?\\.v$")
+list(FILTER scan_sources EXCLUDE REGEX "controller/controller(_core)?\\.v$")
 
 add_library(rung_scan_models STATIC)
 target_compile_options(rung_scan_models PRIVATE -O2 -w)
 # RUNG_RETIRE: the complement in a RAM word that is read and written in the same clock.
 verilate(rung_scan_models
-  SOURCES ${controller_sources}
+  SOURCES ${scan_sources}
   INCLUDE_DIRS ${RUNG_GENERATED} ${RUNG_ROOT}/hdl/core
   TOP_MODULE controller_bus
   PREFIX Vcontroller_bus

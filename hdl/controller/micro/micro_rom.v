@@ -29,11 +29,9 @@ module micro_rom #(
   reg [15:0] rom[0:WORDS-1];
   reg [15:0] data_q;
 
-  integer i;
-  initial begin
-    for (i = 0; i < WORDS; i = i + 1) rom[i] = 16'd0;
+  generate
     `include "rung_micro_rom.vh"
-  end
+  endgenerate
 
   always @(posedge clk_i) begin
 `ifdef RUNG_MICRO_TEST

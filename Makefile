@@ -74,6 +74,12 @@ test: ## all tests, built with sanitizers
 	@$(CTEST) --test-dir build/test -j $(JOBS) --output-on-failure --no-tests=error \
 	  --output-log build/logs/test.log
 
+.PHONY: reliability
+reliability: ## the controller with damaged programs, wrong frames, power cuts: reports/reliability.md
+	@scripts/setup.sh build
+	$(call cmake_build,build/release,$(RELEASE),--target reliability)
+	@$(PYTHON) scripts/reliability.py --jobs $(JOBS)
+
 .PHONY: fuzz
 fuzz: ## fuzz the readers of files, SECONDS= for each: reports/fuzz.md, tb/fuzz/corpus
 	@scripts/setup.sh fuzz

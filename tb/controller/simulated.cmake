@@ -9,11 +9,19 @@ list(APPEND controller_sources ${RUNG_ROOT}/hdl/boards/ladder_ports.v)
 
 add_library(rung_controller_models STATIC)
 target_compile_options(rung_controller_models PRIVATE -O2 -w)
-foreach(board simulated:0 hx8k:2)
+# Each with its UART, and once more with bytes in the place of it.
+set(controller_byte_sources ${controller_sources})
+list(FILTER controller_byte_sources EXCLUDE REGEX "/host_uart\\.v$")
+list(APPEND controller_byte_sources ${CMAKE_CURRENT_SOURCE_DIR}/bytes/host_uart.v)
+foreach(board simulated:0 hx8k:2 simulated_bytes:0 hx8k_bytes:2)
   string(REGEX REPLACE ":.*" "" name ${board})
   string(REGEX REPLACE ".*:" "" number ${board})
+  set(model_sources ${controller_sources})
+  if(name MATCHES "_bytes$")
+    set(model_sources ${controller_byte_sources})
+  endif()
   verilate(rung_controller_models
-    SOURCES ${CMAKE_CURRENT_SOURCE_DIR}/simulated_controller.v ${controller_sources}
+    SOURCES ${CMAKE_CURRENT_SOURCE_DIR}/simulated_controller.v ${model_sources}
     INCLUDE_DIRS ${RUNG_GENERATED} ${RUNG_ROOT}/hdl/core ${RUNG_ROOT}/hdl/controller
     TOP_MODULE simulated_controller
     PREFIX Vcontroller_${name}

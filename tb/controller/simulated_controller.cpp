@@ -7,7 +7,9 @@
 #include <stdexcept>
 
 #include "Vcontroller_hx8k.h"
+#include "Vcontroller_hx8k_bytes.h"
 #include "Vcontroller_simulated.h"
+#include "Vcontroller_simulated_bytes.h"
 #include "controller/verilated_controller.hpp"
 
 namespace rung::tb {
@@ -52,6 +54,11 @@ std::unique_ptr<SimulatedController> SimulatedController::make(const ControllerS
     return std::make_unique<VerilatedController<Top, Line<Top>>>(board, setup, flash_bytes(board),
                                                                  times);
   };
+  const bool bytes = setup.line == ControllerSetup::Line::Bytes;
+  if (setup.board == "simulated" && bytes) {
+    return make.operator()<Vcontroller_simulated_bytes, BytesOfLine>();
+  }
+  if (setup.board == "hx8k" && bytes) return make.operator()<Vcontroller_hx8k_bytes, BytesOfLine>();
   if (setup.board == "simulated") return make.operator()<Vcontroller_simulated, PinsOfLine>();
   if (setup.board == "hx8k") return make.operator()<Vcontroller_hx8k, PinsOfLine>();
   throw std::runtime_error(

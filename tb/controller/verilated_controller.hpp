@@ -7,6 +7,7 @@
 #include <memory>
 #include <utility>
 
+#include "controller/fast_line.hpp"
 #include "controller/simulated_controller.hpp"
 
 namespace rung::tb {
@@ -43,6 +44,29 @@ class PinsOfLine {
   std::uint32_t step_ = 0;
   unsigned parity_ = 0;
   bool fixed_ = false;
+};
+
+// Its bytes, with bytes/host_uart.v in the place of the UART.
+template <typename Top>
+class BytesOfLine {
+ public:
+  class Line : public FastLine {
+   public:
+    std::uint64_t character_clocks() const { return kByteClocks; }
+    double clocks_per_bit() const { return 1; }
+    Parity parity() const { return Parity::None; }
+  };
+
+  void idle(Top& top) { top.host_rx_i = 1; }
+  void start(const Top& /*top*/) {}
+  void before(Top& top, std::uint64_t /*now*/) { top.host_rx_i = line_.level(); }
+  void after(const Top& top, std::uint64_t /*now*/) { line_.sample(top.host_tx_o != 0); }
+  void fix(std::uint32_t /*baud_step*/, Parity /*parity*/) {}
+  Line& line() { return line_; }
+  const Line& line() const { return line_; }
+
+ private:
+  Line line_;
 };
 
 template <typename Top, typename Line>
@@ -119,6 +143,7 @@ class VerilatedController final : public SimulatedController {
   // As after configuration of the FPGA: every register anything, then the reset of the board top.
   void power_up() {
     if (top_) top_->final();
+    top_.reset();  // it looks into its context to the end
     context_ = std::make_unique<VerilatedContext>();
     context_->randReset(2);
     context_->randSeed(static_cast<int>(seed_++ % 0x7FFFFFFF) + 1);

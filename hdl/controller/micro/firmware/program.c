@@ -46,7 +46,7 @@ static void clear_all(void) {
   fill(SPACE_PORTS, 3);
   fill(SPACE_BIT_MAP, BIT_POINTS);
   fill(SPACE_WORD_MAP, WORD_POINTS);
-  fill(SPACE_SETUP, SETUP_OUTPUT + SETUP_OUTPUT_COUNT);
+  fill(SPACE_SETUP, SETUP_OUTPUT); // outputs stay: a load file sets them all
   release_all();
   for (n = 0; n < SETTINGS; n = n + 1) settings[n] = 0;
   for (n = 0; n < 6; n = n + 1) program(n) = 0;

@@ -18,10 +18,10 @@ module micro_rom #(
     output wire [15:0] data_o
 );
 
-`include "rung_micro_rom_words.vh"
 `ifdef RUNG_MICRO_TEST
   localparam integer WORDS = `RUNG_MICRO_ROM_WORDS;
 `else
+  `include "rung_micro_rom_words.vh"
   localparam integer WORDS = FIRMWARE_WORDS;
 `endif
   localparam integer ADDR = $clog2(WORDS);

@@ -60,19 +60,21 @@ def write_rom(out, tables, notice):
     depths = out / "rung_micro_rom_words.vh"
     if depths.exists() and rom.exists() and rom.read_text().startswith(mark):
         return
-    text = [mark, f"// {notice}\n"]
+    text = [mark, f"// {notice}\n", "generate\n"]
     deep = "0"
     for name, firmware in compiled(out, tables).items():
         text.append(f"// {name}: {len(firmware['words'])} words, {firmware['ram_words']} words of RAM, "
                     f"calls {firmware['depth']} deep\n")
         size = -(-len(firmware["words"]) // ROM_STEP) * ROM_STEP
         deep = f"CONFIG_ID == {tables['ids'][name]} ? {size} : {deep}"
-        text.append(f"if (CONFIG_ID == {tables['ids'][name]}) begin\n")
-        text += [f"  rom[{i}] = 16'h{word:04x};\n" for i, word in enumerate(firmware["words"])]
-        text.append("end\n")
+        text.append(f"if (CONFIG_ID == {tables['ids'][name]}) begin : firmware_{name}\n  initial begin\n")
+        text += [f"  rom[{i}] = 16'h{word:04x};\n" 
+                 for i, word in enumerate(firmware["words"] + [0] * (size - len(firmware["words"])))]
+        text.append("  end\nend\n")
         (out / f"firmware_{name}.lst").write_text("\n".join(firmware["listing"]) + "\n")
     depths.write_text(
         f"// {notice}\n  localparam integer FIRMWARE_WORDS = {deep};\n")
+    text.append("endgenerate\n")
     temporary = rom.with_suffix(".tmp")
     temporary.write_text("".join(text))
     os.replace(temporary, rom)

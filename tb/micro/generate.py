@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import os
 import random
+import re
 import sys
 from pathlib import Path
 
@@ -239,7 +240,7 @@ def constants() -> str:
 def main() -> None:
     seed, count, out = int(sys.argv[1]), int(sys.argv[2]), Path(sys.argv[3])
     out.mkdir(parents=True, exist_ok=True)
-    programs = [(path.stem, HEAD + path.read_text()) for path in sorted((HERE / "programs").glob("*.c"))]
+    programs = [(path.stem, HEAD + re.sub(r"//.*", "", path.read_text())) for path in sorted((HERE / "programs").glob("*.c"))]
     programs += [(f"seed_{seed + i}", Program(random.Random(seed + i)).text()) for i in range(count)]
     structs, table, listings = [], [], []
     for name, text in programs:

@@ -18,10 +18,10 @@ module micro_rom #(
     output wire [15:0] data_o
 );
 
-`include "rung_micro_rom_words.vh"
 `ifdef RUNG_MICRO_TEST
   localparam integer WORDS = `RUNG_MICRO_ROM_WORDS;
 `else
+`include "rung_micro_rom_words.vh"
   localparam integer WORDS = FIRMWARE_WORDS;
 `endif
   localparam integer ADDR = $clog2(WORDS);
@@ -29,11 +29,7 @@ module micro_rom #(
   reg [15:0] rom[0:WORDS-1];
   reg [15:0] data_q;
 
-  integer i;
-  initial begin
-    for (i = 0; i < WORDS; i = i + 1) rom[i] = 16'd0;
-    `include "rung_micro_rom.vh"
-  end
+`include "rung_micro_rom.vh"
 
   always @(posedge clk_i) begin
 `ifdef RUNG_MICRO_TEST

@@ -47,8 +47,8 @@ void firmware_reset(void) {
     n = n + 7;
   } while (n < 30);
   note(n);
-  note(sum3(sum3(1, 2, n), 4, sum3(n, 5, 6)));
-  note(sum3(n, array[side()], side()));
+  note(sum3(sum3(1, 2, n), 4, sum3(n, 5, 6)));  // the order of arguments does not matter here
+  note(sum3(n, array[side()], 7));
   if (side() && side() || !side()) note(1);
   note(side() ? io_read(5) : io_read(6));
 }

@@ -83,7 +83,9 @@ debian() {
 # Make an environment what its requirements say.
 # arguments: DIRECTORY, REQUIREMENTS, what is in it, and a command to run once all is installed
 environment() {
-  local directory=$1 requirements=$2 what=$3 stamp=$1/.requirements name want
+  local directory requirements=$2 what=$3 stamp name want
+  directory=$(realpath -m "$1")  # venv refuses a link, which a second worktree may have here
+  stamp=$directory/.requirements
   name=$(basename "$directory")
   want=$(sha256sum <"$requirements")
   if [ "$(cat "$stamp" 2>/dev/null)" = "$want" ]; then

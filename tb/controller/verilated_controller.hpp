@@ -119,6 +119,7 @@ class VerilatedController final : public SimulatedController {
   // As after configuration of the FPGA: every register anything, then the reset of the board top.
   void power_up() {
     if (top_) top_->final();
+    top_.reset();  // before its context
     context_ = std::make_unique<VerilatedContext>();
     context_->randReset(2);
     context_->randSeed(static_cast<int>(seed_++ % 0x7FFFFFFF) + 1);

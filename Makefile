@@ -16,6 +16,7 @@ CONFIG  ?= ecp5
 PROGRAM ?=
 JOBS    ?= 2
 SECONDS ?= 600
+MINUTES ?= 60
 
 # What `make build` builds, into build/bin
 PROGRAMS := rung rung-samples
@@ -134,6 +135,14 @@ steps: build ## the paper's tables reproduced: reports/steps.md
 	@build/bin/rung-steps $$(date +%F) >build/steps.md
 	@mv build/steps.md reports/steps.md
 	@echo 'wrote reports/steps.md'
+
+.PHONY: plant
+plant: ## an hour of plant time of the controller, beside the reference and a client: reports/plant.md; MINUTES=
+	@scripts/setup.sh build
+	$(call cmake_build,build/release,$(RELEASE),--target rung-plant)
+	@build/bin/rung-plant $(MINUTES) $$(date +%F) >build/plant.md
+	@mv build/plant.md reports/plant.md
+	@echo 'wrote reports/plant.md'
 
 .PHONY: programs
 programs: build ## real lists and LDmicro programs: which run, what each instruction costs: reports/programs.md

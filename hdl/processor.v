@@ -1,24 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
-// The processor that MPU says, 1, 2 or 3: ports as mpu1.v, mpu2.v and mpu3.v have them.
+// MPU1, 2 or 3 by parameter, as controllers and board tops hold them; the other parameters are the
+// processor's own (hdl/isa/configs.toml). Scan and load port are those of hdl/mpu1.v.
 `default_nettype none
 
 module processor #(
-    parameter integer MPU           = 3,
+    parameter integer MPU           = 3,     // 1, 2 or 3
     parameter integer STEPS         = 256,
     parameter integer BIT_DEVICES   = 1024,
     parameter integer WORD_DEVICES  = 256,
     parameter integer MUL_DSP       = 0,
     parameter integer MUL_LATENCY   = 20,
     parameter integer DIV_LATENCY   = 20,
-    parameter integer MUL32_LATENCY = 40,   // this and the next: MPU1 only
+    parameter integer MUL32_LATENCY = 40,    // this and the next: MPU1 only
     parameter integer DIV32_LATENCY = 40
 ) (
     input  wire        clk_i,
     input  wire        rst_ni,
+    // scan
     input  wire        start_i,
     output wire        done_o,
     output wire        error_o,
     output wire [31:0] clocks_o,
+    // load port
     input  wire        load_valid_i,
     input  wire        load_write_i,
     input  wire [ 2:0] load_space_i,
@@ -59,12 +62,12 @@ module processor #(
       );
     end else if (MPU == 2) begin : gen_mpu2
       mpu2 #(
-          .STEPS        (STEPS),
-          .BIT_DEVICES  (BIT_DEVICES),
-          .WORD_DEVICES (WORD_DEVICES),
-          .MUL_DSP      (MUL_DSP),
-          .MUL_LATENCY  (MUL_LATENCY),
-          .DIV_LATENCY  (DIV_LATENCY)
+          .STEPS       (STEPS),
+          .BIT_DEVICES (BIT_DEVICES),
+          .WORD_DEVICES(WORD_DEVICES),
+          .MUL_DSP     (MUL_DSP),
+          .MUL_LATENCY (MUL_LATENCY),
+          .DIV_LATENCY (DIV_LATENCY)
       ) mpu (
           .clk_i        (clk_i),
           .rst_ni       (rst_ni),
@@ -85,12 +88,12 @@ module processor #(
       );
     end else begin : gen_mpu3
       mpu3 #(
-          .STEPS        (STEPS),
-          .BIT_DEVICES  (BIT_DEVICES),
-          .WORD_DEVICES (WORD_DEVICES),
-          .MUL_DSP      (MUL_DSP),
-          .MUL_LATENCY  (MUL_LATENCY),
-          .DIV_LATENCY  (DIV_LATENCY)
+          .STEPS       (STEPS),
+          .BIT_DEVICES (BIT_DEVICES),
+          .WORD_DEVICES(WORD_DEVICES),
+          .MUL_DSP     (MUL_DSP),
+          .MUL_LATENCY (MUL_LATENCY),
+          .DIV_LATENCY (DIV_LATENCY)
       ) mpu (
           .clk_i        (clk_i),
           .rst_ni       (rst_ni),

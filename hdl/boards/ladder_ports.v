@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// A processor's device ports with the board's UART and PWM behind them, and the registers that the serial
-// link sets. Load port accesses to space 5 are these registers, written between scans, 0 after reset:
+// A processor's device ports with the board's UART and PWM behind them, and the registers that the host
+// sets. Load port accesses to space 5 are these registers, written between scans, 0 after reset:
 //   0   bit ports of the program in bits 1:0, word ports in bits 14:8; both 0: the program has no ports
 //   1   baud rate, low 16 bits of baud_step_i (uart_tx.v)   2   its high 4 bits
-// All other accesses go to the processor. The lasting memory is behind keep_* (port_exchange.v); its values are
-// restored through the host's accesses.
-// PWM: off unless pwm_on_i is 1; pwm_given_i puts duty and frequency from outside in the place of the ports'.
-// scan_rst_ni resets the exchange alone, as rst_ni does with everything.
+// All other accesses go to the processor. exchange_rst_ni resets the exchange alone, with the processor.
+// ADC and lasting memory as in port_exchange.v. pwm_on_i 0: the PWM output is off at once. duty_valid_i: duty_i
+// and hz_i take the place of what the program's ports say.
 `default_nettype none
 
 module ladder_ports #(
@@ -14,44 +13,45 @@ module ladder_ports #(
     parameter integer WORD_DEVICES = 256,
     parameter integer CLOCK_HZ     = 12000000
 ) (
-    input  wire        clk_i,
-    input  wire        rst_ni,
-    input  wire        scan_rst_ni,
+    input  wire         clk_i,
+    input  wire         rst_ni,
+    input  wire         exchange_rst_ni,
     // pins
-    input  wire        rx_i,
-    output wire        tx_o,
-    output wire        pwm_o,
-    // PWM from outside, samples, lasting memory
-    input  wire        pwm_on_i,
-    input  wire        pwm_given_i,
-    input  wire [15:0] pwm_duty_i,
-    input  wire [31:0] pwm_hz_i,
+    input  wire         rx_i,
+    output wire         tx_o,
+    output wire         pwm_o,
+    // PWM
+    input  wire         pwm_on_i,
+    input  wire         duty_valid_i,
+    input  wire [ 15:0] duty_i,
+    input  wire [ 31:0] hz_i,
+    // ADC and lasting memory
     input  wire [127:0] adc_i,
-    input  wire        persist_ready_i,
-    output wire        keep_valid_o,
-    output wire [ 5:0] keep_index_o,
-    output wire [15:0] keep_value_o,
-    // from the link
-    input  wire        scan_i,
-    output wire        busy_o,
-    output wire        done_o,
-    input  wire        host_valid_i,
-    input  wire        host_write_i,
-    input  wire [ 2:0] host_space_i,
-    input  wire [19:0] host_addr_i,
-    input  wire [15:0] host_data_i,
-    output wire        host_rvalid_o,
-    output wire [15:0] host_rdata_o,
+    input  wire         persist_ready_i,
+    output wire         keep_valid_o,
+    output wire [  5:0] keep_index_o,
+    output wire [ 15:0] keep_value_o,
+    // from the host
+    input  wire         scan_i,
+    output wire         busy_o,
+    output wire         done_o,
+    input  wire         host_valid_i,
+    input  wire         host_write_i,
+    input  wire [  2:0] host_space_i,
+    input  wire [ 19:0] host_addr_i,
+    input  wire [ 15:0] host_data_i,
+    output wire         host_rvalid_o,
+    output wire [ 15:0] host_rdata_o,
     // the processor
-    output wire        start_o,
-    input  wire        done_i,
-    output wire        load_valid_o,
-    output wire        load_write_o,
-    output wire [ 2:0] load_space_o,
-    output wire [19:0] load_addr_o,
-    output wire [15:0] load_data_o,
-    input  wire        load_rvalid_i,
-    input  wire [15:0] load_rdata_i
+    output wire         start_o,
+    input  wire         done_i,
+    output wire         load_valid_o,
+    output wire         load_write_o,
+    output wire [  2:0] load_space_o,
+    output wire [ 19:0] load_addr_o,
+    output wire [ 15:0] load_data_o,
+    input  wire         load_rvalid_i,
+    input  wire [ 15:0] load_rdata_i
 );
 
   localparam [2:0] SPACE_PORTS = 3'd5;
@@ -125,8 +125,8 @@ module ladder_ports #(
   ) pwm (
       .clk_i (clk_i),
       .rst_ni(rst_ni && pwm_on_i),
-      .duty_i(pwm_given_i ? pwm_duty_i : duty),
-      .hz_i  (pwm_given_i ? pwm_hz_i : hz),
+      .duty_i(duty_valid_i ? duty_i : duty),
+      .hz_i  (duty_valid_i ? hz_i : hz),
       .pwm_o (pwm_o)
   );
 
@@ -135,7 +135,7 @@ module ladder_ports #(
       .WORD_DEVICES(WORD_DEVICES)
   ) exchange (
       .clk_i          (clk_i),
-      .rst_ni         (scan_rst_ni),
+      .rst_ni         (exchange_rst_ni),
       .scan_i         (scan_i),
       .busy_o         (busy_o),
       .done_o         (done_o),

@@ -1,37 +1,50 @@
 // SPDX-License-Identifier: Apache-2.0
-// The controller, met at the bytes of its host line: controller_bus with its micro-sequencer.
+// A controller without the UART of its host's line, whose bytes are ports: all on the micro-sequencer's bus,
+// and the micro-sequencer.
 `default_nettype none
 
 module controller_core #(
-    parameter integer MPU           = 3,
-    parameter integer CLOCK_HZ      = 25000000,
+    parameter integer MPU           = 2,         // 1, 2 or 3
+    parameter integer CLOCK_HZ      = 12000000,  // of clk_i
     parameter integer CLOCKS_PER_MS = CLOCK_HZ / 1000,
-    parameter integer CONFIG_ID     = 1,
+    // configuration and board: `RUNG_<CONFIG>_MAP, `RUNG_BOARD_<NAME>
+    parameter integer CONFIG_ID     = 2,
     parameter integer BIT_POINTS    = 1024,
-    parameter integer WORD_POINTS   = 512,
+    parameter integer WORD_POINTS   = 472,
     parameter integer BOARD_ID      = 0,
-    parameter integer INPUTS        = 32,  // at most 64
-    parameter integer OUTPUTS       = 32,  // at most 64
+    parameter integer INPUTS        = 32,
+    parameter integer OUTPUTS       = 32,
     parameter integer FLASH_BASE    = 0,
-    parameter integer STEPS         = 256,
+    // the processor's own
+    parameter integer STEPS         = 512,
     parameter integer BIT_DEVICES   = 1024,
     parameter integer WORD_DEVICES  = 256,
     parameter integer MUL_DSP       = 0,
-    parameter integer MUL_LATENCY   = 20,
-    parameter integer DIV_LATENCY   = 20,
-    parameter integer MUL32_LATENCY = 40,
-    parameter integer DIV32_LATENCY = 40
+    parameter integer MUL_LATENCY   = 18,
+    parameter integer DIV_LATENCY   = 19,
+    parameter integer MUL32_LATENCY = 34,
+    parameter integer DIV32_LATENCY = 37
 ) (
     input  wire               clk_i,
     input  wire               rst_ni,
-    // pins of the plant
+    // pins
     input  wire [ INPUTS-1:0] in_i,
     output wire [OUTPUTS-1:0] out_o,
     input  wire [      127:0] adc_i,
     output wire               pwm_o,
     input  wire               rx_i,
     output wire               tx_o,
-    // bytes of the host line
+    output wire               flash_csn_o,
+    output wire               flash_sck_o,
+    output wire               flash_mosi_o,
+    input  wire               flash_miso_i,
+    input  wire               run_switch_i,
+    // lamps
+    output wire               run_o,
+    output wire               fault_o,
+    output wire               forced_o,
+    output wire               line_o,
+    // bytes of the host's line
     output wire [       19:0] baud_step_o,
     output wire [        1:0] parity_o,
     input  wire               host_rx_active_i,
@@ -41,22 +54,14 @@ module controller_core #(
     output wire               host_tx_valid_o,
     output wire [        7:0] host_tx_data_o,
     input  wire               host_tx_ready_i,
-    input  wire               host_tx_busy_i,
-    // flash
-    output wire               flash_csn_o,
-    output wire               flash_sck_o,
-    output wire               flash_mosi_o,
-    input  wire               flash_miso_i,
-    // operation
-    input  wire               run_switch_i,
-    output wire               run_o,
-    output wire               fault_o,
-    output wire               forced_o,
-    output wire               line_o
+    input  wire               host_tx_busy_i
 );
 
-  wire [15:0] mem_addr, mem_wdata, mem_rdata;
-  wire mem_read, mem_write;
+  wire [15:0] mem_addr;
+  wire mem_read;
+  wire mem_write;
+  wire [15:0] mem_wdata;
+  wire [15:0] mem_rdata;
 
   micro_sequencer #(
       .CONFIG_ID(CONFIG_ID)
@@ -89,20 +94,24 @@ module controller_core #(
       .DIV_LATENCY  (DIV_LATENCY),
       .MUL32_LATENCY(MUL32_LATENCY),
       .DIV32_LATENCY(DIV32_LATENCY)
-  ) fabric (
+  ) bus (
       .clk_i           (clk_i),
       .rst_ni          (rst_ni),
-      .mem_addr_i      (mem_addr),
-      .mem_read_i      (mem_read),
-      .mem_write_i     (mem_write),
-      .mem_wdata_i     (mem_wdata),
-      .mem_rdata_o     (mem_rdata),
       .in_i            (in_i),
       .out_o           (out_o),
       .adc_i           (adc_i),
       .pwm_o           (pwm_o),
       .rx_i            (rx_i),
       .tx_o            (tx_o),
+      .flash_csn_o     (flash_csn_o),
+      .flash_sck_o     (flash_sck_o),
+      .flash_mosi_o    (flash_mosi_o),
+      .flash_miso_i    (flash_miso_i),
+      .run_switch_i    (run_switch_i),
+      .run_o           (run_o),
+      .fault_o         (fault_o),
+      .forced_o        (forced_o),
+      .line_o          (line_o),
       .baud_step_o     (baud_step_o),
       .parity_o        (parity_o),
       .host_rx_active_i(host_rx_active_i),
@@ -113,15 +122,11 @@ module controller_core #(
       .host_tx_data_o  (host_tx_data_o),
       .host_tx_ready_i (host_tx_ready_i),
       .host_tx_busy_i  (host_tx_busy_i),
-      .flash_csn_o     (flash_csn_o),
-      .flash_sck_o     (flash_sck_o),
-      .flash_mosi_o    (flash_mosi_o),
-      .flash_miso_i    (flash_miso_i),
-      .run_switch_i    (run_switch_i),
-      .run_o           (run_o),
-      .fault_o         (fault_o),
-      .forced_o        (forced_o),
-      .line_o          (line_o)
+      .mem_addr_i      (mem_addr),
+      .mem_read_i      (mem_read),
+      .mem_write_i     (mem_write),
+      .mem_wdata_i     (mem_wdata),
+      .mem_rdata_o     (mem_rdata)
   );
 
 endmodule

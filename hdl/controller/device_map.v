@@ -1,52 +1,86 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which device a Modbus point is: one table for bit points, one for word points, written by the firmware. The
-// answer to point_i comes in the next clock.
+// The device that a Modbus point is: one look-up a clock. point_i counts the points of the bit areas or, with
+// words_i, of the word areas (hdl/isa/modbus.toml); in the clock after read_i mapped_o says whether it is a
+// device and device_o which. Written as spaces bit_map and word_map: bit 15 set: it is one.
 `default_nettype none
 
 module device_map #(
-    parameter integer BIT_POINTS = 1024,
-    parameter integer WORD_POINTS = 512,
-    parameter integer BIT_ADDR = 10,  // bits of a bit device's number
-    parameter integer WORD_ADDR = 8
+    parameter integer BIT_POINTS   = 1024,
+    parameter integer WORD_POINTS  = 472,
+    parameter integer BIT_DEVICES  = 1024,  // a power of two, to 2^15, as the next
+    parameter integer WORD_DEVICES = 256
 ) (
     input  wire        clk_i,
+    // look-up
+    input  wire        read_i,
+    input  wire        words_i,
+    input  wire [15:0] point_i,
+    output wire        mapped_o,
+    output wire [14:0] device_o,
+    // load
     input  wire        bit_write_i,
     input  wire        word_write_i,
-    input  wire [13:0] write_point_i,
-    input  wire [15:0] write_data_i,   // bit 15: the point is a device
-    input  wire [13:0] point_i,
-    input  wire        word_i,
-    output wire        exists_o,
-    output wire [15:0] address_o
+    input  wire [15:0] write_addr_i,
+    input  wire [15:0] write_data_i
 );
 
   localparam integer BIT_POINT = $clog2(BIT_POINTS);
   localparam integer WORD_POINT = $clog2(WORD_POINTS);
+  localparam integer BIT_ADDR = $clog2(BIT_DEVICES);
+  localparam integer WORD_ADDR = $clog2(WORD_DEVICES);
+  localparam [15:0] LAST_BIT_POINT = BIT_POINTS[15:0] - 16'd1;
+  localparam [15:0] LAST_WORD_POINT = WORD_POINTS[15:0] - 16'd1;
 
-  reg [BIT_ADDR:0] bit_ram[0:BIT_POINTS-1];
-  reg [WORD_ADDR:0] word_ram[0:WORD_POINTS-1];
-  reg [BIT_ADDR:0] bit_q;
-  reg [WORD_ADDR:0] word_data_q;
-  reg word_q;
+  wire [ BIT_ADDR:0] bit_entry;
+  wire [WORD_ADDR:0] word_entry;
+
+  bank_ram #(
+      .WIDTH(BIT_ADDR + 1),
+      .DEPTH(BIT_POINTS),
+      .ADDR_BITS(BIT_POINT),
+      .CLEARED(0)
+  ) bit_map (
+      .clk_i       (clk_i),
+      .read_i      (read_i),
+      .read_addr_i (point_i[BIT_POINT-1:0]),
+      .read_data_o (bit_entry),
+      .write_i     (bit_write_i && write_addr_i <= LAST_BIT_POINT),
+      .write_addr_i(write_addr_i[BIT_POINT-1:0]),
+      .write_data_i({write_data_i[15], write_data_i[BIT_ADDR-1:0]})
+  );
+
+  bank_ram #(
+      .WIDTH(WORD_ADDR + 1),
+      .DEPTH(WORD_POINTS),
+      .ADDR_BITS(WORD_POINT),
+      .CLEARED(0)
+  ) word_map (
+      .clk_i       (clk_i),
+      .read_i      (read_i),
+      .read_addr_i (point_i[WORD_POINT-1:0]),
+      .read_data_o (word_entry),
+      .write_i     (word_write_i && write_addr_i <= LAST_WORD_POINT),
+      .write_addr_i(write_addr_i[WORD_POINT-1:0]),
+      .write_data_i({write_data_i[15], write_data_i[WORD_ADDR-1:0]})
+  );
+
+  reg words_q;
+  reg exists_q;
 
   always @(posedge clk_i) begin
-    if (bit_write_i) begin
-      bit_ram[write_point_i[BIT_POINT-1:0]] <= {write_data_i[15], write_data_i[BIT_ADDR-1:0]};
-    end
-    bit_q <= bit_ram[point_i[BIT_POINT-1:0]];
-  end
-  always @(posedge clk_i) begin
-    if (word_write_i) begin
-      word_ram[write_point_i[WORD_POINT-1:0]] <= {write_data_i[15], write_data_i[WORD_ADDR-1:0]};
-    end
-    word_data_q <= word_ram[point_i[WORD_POINT-1:0]];
-    word_q <= word_i;
+    words_q  <= words_i;
+    exists_q <= point_i <= (words_i ? LAST_WORD_POINT : LAST_BIT_POINT);
   end
 
-  assign exists_o = word_q ? word_data_q[WORD_ADDR] : bit_q[BIT_ADDR];
-  assign address_o = word_q ? {{16 - WORD_ADDR{1'b0}}, word_data_q[WORD_ADDR-1:0]} :
-      {{16 - BIT_ADDR{1'b0}}, bit_q[BIT_ADDR-1:0]};
-  wire unused = &{1'b0, write_point_i, point_i, write_data_i};
+  wire [14:0] bit_device = {{15 - BIT_ADDR{1'b0}}, bit_entry[BIT_ADDR-1:0]};
+  wire [14:0] word_device = {{15 - WORD_ADDR{1'b0}}, word_entry[WORD_ADDR-1:0]};
+
+  assign mapped_o = exists_q && (words_q ? word_entry[WORD_ADDR] : bit_entry[BIT_ADDR]);
+  assign device_o = words_q ? word_device : bit_device;
+
+  // verilator lint_off UNUSEDSIGNAL
+  wire unused = &{1'b0, write_data_i[14:0]};
+  // verilator lint_on UNUSEDSIGNAL
 
 endmodule
 

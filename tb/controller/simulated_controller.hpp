@@ -70,6 +70,9 @@ class SimulatedController : public device::BenchMachine {
   // A byte that its receiver must refuse: wrong parity or stop bit.
   virtual void send_bad(std::uint8_t byte) = 0;
 
+  // Scans that have begun, and the clock in which the last one did: inputs are held at its end.
+  std::uint64_t latches() const { return latches_; }
+  std::uint64_t latched_at() const { return latched_at_; }
   // Clocks of the PWM pin at 1 since the start.
   std::uint64_t pwm_high() const { return pwm_high_; }
   // The ladder's own UART, once its rate is set.
@@ -92,6 +95,7 @@ class SimulatedController : public device::BenchMachine {
   std::array<bool, 4> lamps_{};  // by PinChange::Pin; the first is unused
   std::vector<device::PinChange> changes_;
   std::uint64_t pwm_high_ = 0;
+  std::uint64_t latches_ = 0, latched_at_ = 0;
 };
 
 }  // namespace rung::tb

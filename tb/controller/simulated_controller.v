@@ -34,7 +34,8 @@ module simulated_controller #(
     output wire         flash_sck_o,
     output wire         flash_mosi_o,
     input  wire         flash_miso_i,
-    // operation
+    // operation; latch_o is 1 in the clock in which a scan begins
+    output wire         latch_o,
     input  wire         run_switch_i,
     output wire         run_o,
     output wire         fault_o,
@@ -74,6 +75,7 @@ module simulated_controller #(
           .line_o      (line_o)
       );
       assign out_o[63:`RUNG_BOARD_SIMULATED_OUTPUTS] = {64 - `RUNG_BOARD_SIMULATED_OUTPUTS{1'b0}};
+      assign latch_o = controller.core.bus.latch;
       assign baud_step_o = controller.host_uart.baud_step_i;
       assign parity_o = controller.host_uart.parity_i;
     end else begin : gen_hx8k
@@ -107,6 +109,7 @@ module simulated_controller #(
           .line_o      (line_o)
       );
       assign out_o[63:`RUNG_BOARD_HX8K_OUTPUTS] = {64 - `RUNG_BOARD_HX8K_OUTPUTS{1'b0}};
+      assign latch_o = controller.core.bus.latch;
       assign baud_step_o = controller.host_uart.baud_step_i;
       assign parity_o = controller.host_uart.parity_i;
     end

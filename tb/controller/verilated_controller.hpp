@@ -162,6 +162,10 @@ class VerilatedController final : public SimulatedController {
     top.flash_miso_i =
         flash_.clock(top.flash_csn_o != 0, top.flash_sck_o != 0, top.flash_mosi_o != 0);
     pwm_high_ += top.pwm_o;
+    if (top.latch_o != 0) {
+      ++latches_;
+      latched_at_ = now_;
+    }
     if (top.out_o != outputs_) note_outputs(top.out_o);
     const unsigned lamps = top.run_o | top.fault_o << 1 | top.forced_o << 2;
     if (lamps != shown_) {

@@ -2,13 +2,13 @@
 // The plants with the reference as their controller: their programs do what they are for, in an
 // hour of plant time. What the simulated controller does with them is in plant_test.cpp.
 #include "reference/reference.hpp"
-#include "rungs/devices.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "melsec/melsec.hpp"
 #include "plant/plant.hpp"
+#include "rungs/devices.hpp"
 #include "source/text_file.hpp"
 
 namespace rung::tb {

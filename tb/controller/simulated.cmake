@@ -9,17 +9,19 @@ list(APPEND controller_sources ${RUNG_ROOT}/hdl/boards/ladder_ports.v)
 
 add_library(rung_controller_models STATIC)
 target_compile_options(rung_controller_models PRIVATE -O2 -w)
-foreach(board simulated:0 hx8k:2)
-  string(REGEX REPLACE ":.*" "" name ${board})
-  string(REGEX REPLACE ".*:" "" number ${board})
+function(controller_model name top)
   verilate(rung_controller_models
-    SOURCES ${CMAKE_CURRENT_SOURCE_DIR}/simulated_controller.v ${controller_sources}
+    SOURCES ${CMAKE_CURRENT_SOURCE_DIR}/${top}.v ${controller_sources}
     INCLUDE_DIRS ${RUNG_GENERATED} ${RUNG_ROOT}/hdl/core ${RUNG_ROOT}/hdl/controller
-    TOP_MODULE simulated_controller
+    TOP_MODULE ${top}
     PREFIX Vcontroller_${name}
     VERILATOR_ARGS -Wall -O3 --x-initial unique --x-assign fast --noassert
-                   -GBOARD=${number} -GCLOCKS_PER_MS=${RUNG_CLOCKS_PER_MS})
-endforeach()
+                   -GCLOCKS_PER_MS=${RUNG_CLOCKS_PER_MS} ${ARGN})
+endfunction()
+controller_model(simulated simulated_controller -GBOARD=0)
+controller_model(hx8k simulated_controller -GBOARD=2)
+# Its line as bytes, for tests with very many frames
+controller_model(bytes simulated_core)
 get_target_property(controller_includes rung_controller_models INCLUDE_DIRECTORIES)
 set_target_properties(rung_controller_models PROPERTIES
                       INTERFACE_SYSTEM_INCLUDE_DIRECTORIES "${controller_includes}")
@@ -33,7 +35,6 @@ target_compile_definitions(rung_simulated_controller PRIVATE
 # Its loop runs with every clock of every simulated hour: as fast in the tests as the model itself.
 target_compile_options(rung_simulated_controller PRIVATE -O2 $<$<BOOL:${RUNG_SANITIZE}>:-fno-sanitize=all>)
 
-add_executable(unit_bit_line bit_line_test.cpp)
-target_link_libraries(unit_bit_line PRIVATE rung_options GTest::gtest_main)
-target_include_directories(unit_bit_line PRIVATE ${RUNG_ROOT}/tb)
-gtest_discover_tests(unit_bit_line)
+add_executable(unit_simulated bit_line_test.cpp simulated_controller_test.cpp)
+target_link_libraries(unit_simulated PRIVATE rung_simulated_controller GTest::gtest_main)
+gtest_discover_tests(unit_simulated TIMEOUT 120)

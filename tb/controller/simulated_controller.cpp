@@ -6,6 +6,7 @@
 #include <bit>
 #include <stdexcept>
 
+#include "Vcontroller_bytes.h"
 #include "Vcontroller_hx8k.h"
 #include "Vcontroller_simulated.h"
 #include "controller/verilated_controller.hpp"
@@ -52,6 +53,10 @@ std::unique_ptr<SimulatedController> SimulatedController::make(const ControllerS
     return std::make_unique<VerilatedController<Top, Line<Top>>>(board, setup, flash_bytes(board),
                                                                  times);
   };
+  if (setup.line == ControllerSetup::Line::Bytes) {
+    if (setup.board == "hx8k") return make.operator()<Vcontroller_bytes, BytesOfLine>();
+    throw std::runtime_error("bytes of the line: of board hx8k only");
+  }
   if (setup.board == "simulated") return make.operator()<Vcontroller_simulated, PinsOfLine>();
   if (setup.board == "hx8k") return make.operator()<Vcontroller_hx8k, PinsOfLine>();
   throw std::runtime_error(

@@ -7,6 +7,7 @@
 #include <memory>
 #include <utility>
 
+#include "controller/byte_line.hpp"
 #include "controller/simulated_controller.hpp"
 
 namespace rung::tb {
@@ -43,6 +44,40 @@ class PinsOfLine {
   std::uint32_t step_ = 0;
   unsigned parity_ = 0;
   bool fixed_ = false;
+};
+
+// Its bytes, behind the UART.
+template <typename Top>
+class BytesOfLine {
+ public:
+  void idle(Top& top) {
+    top.host_rx_active_i = 0;
+    top.host_rx_valid_i = 0;
+    top.host_rx_error_i = 0;
+    top.host_tx_ready_i = 1;
+    top.host_tx_busy_i = 0;
+  }
+  void start(const Top& /*top*/) {}
+  void before(Top& top, std::uint64_t /*now*/) {
+    const ByteLine::Arrival arrival = line_.arrive();
+    top.host_rx_active_i = arrival.active;
+    top.host_rx_valid_i = arrival.valid;
+    top.host_rx_error_i = arrival.error;
+    top.host_rx_data_i = arrival.byte;
+    top.host_tx_ready_i = line_.ready();
+    top.host_tx_busy_i = line_.busy();
+  }
+  // What it offers in this clock is taken with the next edge, as the UART would.
+  void after(const Top& top, std::uint64_t /*now*/) {
+    line_.leave(top.host_tx_valid_o != 0, top.host_tx_data_o);
+  }
+  // Bytes have no rate.
+  void fix(std::uint32_t /*baud_step*/, Parity /*parity*/) {}
+  ByteLine& line() { return line_; }
+  const ByteLine& line() const { return line_; }
+
+ private:
+  ByteLine line_;
 };
 
 template <typename Top, typename Line>

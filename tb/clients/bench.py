@@ -141,7 +141,7 @@ def run(command: list[str], seconds: float = 30) -> subprocess.CompletedProcess[
     return subprocess.run(command, capture_output=True, text=True, timeout=seconds, check=False)
 
 
-def eventually(test: unittest.TestCase, what, seconds: float = 10) -> None:
+def eventually(test: unittest.TestCase, what, seconds: float = 60) -> None:
     """Repeats `what` until it is true."""
     deadline = time.monotonic() + seconds
     while not what():

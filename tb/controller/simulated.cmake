@@ -47,7 +47,6 @@ target_compile_definitions(rung_simulated_controller PRIVATE
 # Its loop runs with every clock of every simulated hour: as fast in the tests as the model itself.
 target_compile_options(rung_simulated_controller PRIVATE -O2 $<$<BOOL:${RUNG_SANITIZE}>:-fno-sanitize=all>)
 
-add_executable(unit_bit_line bit_line_test.cpp)
-target_link_libraries(unit_bit_line PRIVATE rung_options GTest::gtest_main)
-target_include_directories(unit_bit_line PRIVATE ${RUNG_ROOT}/tb)
-gtest_discover_tests(unit_bit_line)
+add_executable(unit_simulated bit_line_test.cpp simulated_controller_test.cpp)
+target_link_libraries(unit_simulated PRIVATE rung_simulated_controller GTest::gtest_main)
+gtest_discover_tests(unit_simulated TIMEOUT 120)

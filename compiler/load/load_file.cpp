@@ -93,10 +93,21 @@ class Maker {
 
   void device_maps() {
     const Dialect dialect = *find_dialect(image_.dialect);
+    const int last_word = isa::find_config(image_.config)->word_devices - 1;
     for (const image::ImageDevice& each : image_.devices) {
       if (is_port(each.device.kind)) continue;
       const auto point = io::point_of(each.device, dialect, image_.config);
       if (!point) continue;
+      // Its number stands for no device there (hdl/controller/device_map.v).
+      if (is_word(each.device) && each.address == last_word) {
+        diagnostics_.warning(
+            image_.program, {},
+            fmt::format("{} is in the last word of memory, which Modbus clients do not "
+                        "see: they read 0",
+                        each.name),
+            "use fewer words, or a configuration with more");
+        continue;
+      }
       set(is_word(each.device) ? controller::space_word_map : controller::space_bit_map,
           static_cast<std::uint32_t>(point->index),
           static_cast<std::uint16_t>(kMapped | each.address));

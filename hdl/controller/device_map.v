@@ -2,6 +2,8 @@
 // The device that a Modbus point is: one look-up a clock. point_i counts the points of the bit areas or, with
 // words_i, of the word areas (hdl/isa/modbus.toml); in the clock after read_i mapped_o says whether it is a
 // device and device_o which. Written as spaces bit_map and word_map: bit 15 set: it is one.
+// The last word device has no point: its number stands for none, so that an entry of 256 word devices is as
+// wide as a block RAM of an iCE40 is.
 `default_nettype none
 
 module device_map #(
@@ -32,7 +34,8 @@ module device_map #(
   localparam [15:0] LAST_WORD_POINT = WORD_POINTS[15:0] - 16'd1;
 
   wire [ BIT_ADDR:0] bit_entry;
-  wire [WORD_ADDR:0] word_entry;
+  wire [WORD_ADDR-1:0] word_entry;
+  localparam [WORD_ADDR-1:0] NONE = {WORD_ADDR{1'b1}};
 
   bank_ram #(
       .WIDTH(BIT_ADDR + 1),
@@ -50,7 +53,7 @@ module device_map #(
   );
 
   bank_ram #(
-      .WIDTH(WORD_ADDR + 1),
+      .WIDTH(WORD_ADDR),
       .DEPTH(WORD_POINTS),
       .ADDR_BITS(WORD_POINT),
       .CLEARED(0)
@@ -61,7 +64,7 @@ module device_map #(
       .read_data_o (word_entry),
       .write_i     (word_write_i && write_addr_i <= LAST_WORD_POINT),
       .write_addr_i(write_addr_i[WORD_POINT-1:0]),
-      .write_data_i({write_data_i[15], write_data_i[WORD_ADDR-1:0]})
+      .write_data_i(write_data_i[15] ? write_data_i[WORD_ADDR-1:0] : NONE)
   );
 
   reg words_q;
@@ -73,9 +76,9 @@ module device_map #(
   end
 
   wire [14:0] bit_device = {{15 - BIT_ADDR{1'b0}}, bit_entry[BIT_ADDR-1:0]};
-  wire [14:0] word_device = {{15 - WORD_ADDR{1'b0}}, word_entry[WORD_ADDR-1:0]};
+  wire [14:0] word_device = {{15 - WORD_ADDR{1'b0}}, word_entry};
 
-  assign mapped_o = exists_q && (words_q ? word_entry[WORD_ADDR] : bit_entry[BIT_ADDR]);
+  assign mapped_o = exists_q && (words_q ? word_entry != NONE : bit_entry[BIT_ADDR]);
   assign device_o = words_q ? word_device : bit_device;
 
   // verilator lint_off UNUSEDSIGNAL

@@ -21,14 +21,15 @@ constexpr int kBitPoints = 1024, kWordPoints = 472;
 
 class Exchange : public testing::Test {
  protected:
-  // Four of five points are devices, somewhere; a device may be more than one point.
+  // Four of five points are devices, somewhere; a device may be more than one point. The last word
+  // has none (device_map.v).
   void draw_map() {
     for (const bool words : {false, true}) {
       auto& map = words ? word_map_ : bit_map_;
       map.assign(static_cast<std::size_t>(words ? kWordPoints : kBitPoints), -1);
       std::vector<std::uint16_t> entries;
       for (int& device : map) {
-        if (random_.percent(80)) device = random_.below(words ? 256 : 1024);
+        if (random_.percent(80)) device = random_.below(words ? 255 : 1024);
         entries.push_back(
             static_cast<std::uint16_t>(device < 0 ? random_.bits() & 0x7fff : 0x8000 | device));
       }

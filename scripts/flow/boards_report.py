@@ -17,7 +17,8 @@ PARTS = {
     "host line: UART, RTU frames, CRC-16": ("host_uart", "rtu_line"),
     "host exchange and device map": ("host_exchange", "device_map"),
     "scan: phases, list of inputs and outputs, time, filters, pins": (
-        "scan_controller", "io_list", "time_base", "input_filter", "output_pins"),
+        "scan_controller", "scan_statistics", "setup_registers", "load_spaces", "io_list", "time_base",
+        "input_pins", "input_filter", "run_switch", "output_pins", "adc_select", "pwm_entry", "keep_port"),
     "device ports: exchange, UART, PWM": ("ladder_ports", "port_exchange", "uart_rx", "uart_tx", "pwm"),
     "flash port, CRC-32": ("flash_port", "crc32"),
     "converter": ("max11123",),

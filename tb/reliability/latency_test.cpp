@@ -79,7 +79,7 @@ std::string map_of(const Case& one) {
       "board = \"{}\"\n[controller]\nexchange_points = {}\n{}[inputs]\n{} = {{ pin = \"{}\", "
       "filter "
       "= {} }}\n[outputs]\n{} = \"{}\"\n",
-      one.board, one.points, one.period ? "period_ms = 30.004\n" : "", own ? "X0" : "X177",
+      one.board, one.points, one.period ? "period_ms = 16.004\n" : "", own ? "X0" : "X177",
       hx8k ? "t1" : "in0", one.filter, own ? "Y0" : "Y177", hx8k ? "t5" : "out0");
 }
 
@@ -87,6 +87,8 @@ class Latency : public testing::TestWithParam<Case> {};
 
 TEST_P(Latency, EdgeToEdge) {
   const Case& one = GetParam();
+  // Of the samples one case is enough for every day.
+  if (!full() && one.file != nullptr && (one.points == 2000 || one.period)) GTEST_SKIP();
   RandomSource random(base_seed());
   Made made = make_program(list_of(one), map_of(one));
   quicken(made.words);
@@ -115,7 +117,7 @@ TEST_P(Latency, EdgeToEdge) {
       least_at = at;
     }
   };
-  for (std::uint64_t i = count(40, 2000); i > 0; --i) {
+  for (std::uint64_t i = count(12, one.period ? 1000 : 2000); i > 0; --i) {
     measure(controller->now() + 200 + random.bits() % (2 * period));
     if (HasFatalFailure()) return;
   }

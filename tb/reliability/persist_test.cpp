@@ -41,7 +41,7 @@ TEST(Persist, KeptOverPowerCuts) {
   install(*controller, client, made.words);
   client.gap = 160;
   int kept = client.holding(address);
-  const std::uint64_t all = count(4, 100);
+  const std::uint64_t all = count(2, 100);
   std::uint64_t completed = 0, before = 0, after = 0;
   for (std::uint64_t i = 0; i < all; ++i) {
     const std::string what = fmt::format("seed {}, cut {}", seed, i);

@@ -154,9 +154,13 @@ TEST_F(Image, CutAtEveryWord) {
 
 // A window in the place of another is refused; sent twice, or in another order, it does no harm.
 TEST_F(Image, WindowsRepeated) {
-  ASSERT_NO_FATAL_FAILURE(begin("hx8k"));
+  // More than two whole windows.
+  std::string more;
+  for (int n = 0; n < 48; ++n) more += fmt::format("LD M98\nMOV D{} D{}\n", n + 2, n + 3);
+  ASSERT_NO_FATAL_FAILURE(begin("hx8k", more));
   const Words whole = programs_->fresh.words;
   const std::size_t count_of = (whole.size() + kWindow - 1) / kWindow;
+  ASSERT_GT(count_of, 3U);
   const std::uint64_t cases = count(2, 60);
   std::uint64_t taken = 0;
   for (std::uint64_t i = 0; i < cases; ++i) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // CRC-32 (IEEE 802.3, as zlib) for the micro-sequencer: registers crc_* of hdl/isa/controller.toml. A byte
-// takes the 8 clocks after its write; what is read or written meanwhile is not the CRC of anything.
+// takes the 2 clocks after its write, fewer than an instruction of the sequencer.
 // Bus: select, address and data in the clock of read_i or write_i; rdata_o in the clock after read_i, else 0.
 `default_nettype none
 `include "rung_controller.vh"
@@ -23,8 +23,18 @@ module crc32 (
   localparam [31:0] POLYNOMIAL = 32'hedb88320;
 
   reg [31:0] crc_q;
-  reg [ 3:0] left_q;  // bits of the byte
+  reg [ 1:0] left_q;  // halves of the byte
   reg [15:0] rdata_q;
+
+  function [31:0] four_bits(input [31:0] value);
+    integer bit_number;
+    begin
+      four_bits = value;
+      for (bit_number = 0; bit_number < 4; bit_number = bit_number + 1) begin
+        four_bits = {1'b0, four_bits[31:1]} ^ (four_bits[0] ? POLYNOMIAL : 32'd0);
+      end
+    end
+  endfunction
 
   wire write = sel_register_i && write_i;
   wire read = sel_register_i && read_i;
@@ -36,16 +46,16 @@ module crc32 (
   always @(posedge clk_i) begin
     if (!rst_ni) begin
       crc_q  <= 32'hffffffff;
-      left_q <= 4'd0;
+      left_q <= 2'd0;
     end else if (write && addr_i == CLEAR) begin
       crc_q  <= 32'hffffffff;
-      left_q <= 4'd0;
-    end else if (left_q != 4'd0) begin
-      crc_q  <= {1'b0, crc_q[31:1]} ^ (crc_q[0] ? POLYNOMIAL : 32'd0);
-      left_q <= left_q - 4'd1;
+      left_q <= 2'd0;
+    end else if (left_q != 2'd0) begin
+      crc_q  <= four_bits(crc_q);
+      left_q <= left_q - 2'd1;
     end else if (write && addr_i == BYTE) begin
       crc_q[7:0] <= crc_q[7:0] ^ wdata_i[7:0];
-      left_q <= 4'd8;
+      left_q <= 2'd2;
     end
 
     rdata_q <= 16'd0;

@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "driver/compile.hpp"
+#include "ldmicro/ldmicro.hpp"
 #include "load/load_file.hpp"
 #include "melsec/melsec.hpp"
 #include "rung_controller.hpp"
@@ -47,9 +48,13 @@ std::uint16_t crc_16(const Bytes& bytes) {
 
 Made make_program(const std::string& list, const std::string& map_text) {
   Diagnostics diagnostics;
-  const auto source = decode_text(list, "test.il", diagnostics);
   std::optional<Program> program;
-  if (source) program = parse_melsec(*source, std::nullopt, diagnostics);
+  if (list.starts_with("LDmicro")) {
+    const auto source = decode_ldmicro(list, "test.ld", diagnostics);
+    if (source) program = parse_ldmicro(*source, diagnostics);
+  } else if (const auto source = decode_text(list, "test.il", diagnostics)) {
+    program = parse_melsec(*source, std::nullopt, diagnostics);
+  }
   const auto map = io::parse_map(map_text, "test.toml", diagnostics);
   if (!program || !map) fail(diagnostics);
   CompileOptions options;

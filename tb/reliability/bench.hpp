@@ -30,7 +30,8 @@ struct Made {
   io::Bindings bindings;
   load::Timing timing;
 };
-// A list and an I/O map that must be good, for the clock of the simulated controller.
+// A list or an LDmicro program, and an I/O map, that must be good, for the clock of the simulated
+// controller.
 Made make_program(const std::string& list, const std::string& map);
 // A list of tb/golden/programs
 std::string golden(const std::string& name);

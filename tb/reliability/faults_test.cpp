@@ -70,13 +70,14 @@ TEST(Inputs, StuckAndTrembling) {
       set.controller->run(every);
       ++toggles;
     }
+    const auto changes = set.controller->changes();
+    all(false);  // before a level lasts
     ASSERT_EQ(set.scans(), (std::pair{cycle, cycle})) << every;
-    for (const auto& change : set.controller->changes()) {
+    for (const auto& change : changes) {
       ASSERT_NE(static_cast<int>(change.pin), static_cast<int>(Pin::Output))
           << "toggled every " << every << " clocks: output " << change.index;
     }
     // It settles to 0 before the next.
-    all(false);
     set.controller->run(2'000);
     set.controller->changes();
   }
@@ -102,10 +103,12 @@ TEST(Watchdog, TripsAtItsClockAndCanBeLeft) {
   std::uint64_t trips = 0;
   for (const std::int64_t watchdog : {timing.cycle - 1, timing.cycle - 20, refreshed + 10,
                                       refreshed - 4, timing.latch + 1, std::int64_t{1}}) {
+    // Every day: one behind the refresh, one before it.
+    if (!full() && watchdog != refreshed + 10 && watchdog != refreshed - 4) continue;
     set.controller->changes();
     ASSERT_EQ(set.client->download(with(watchdog)), 2);
     set.controller->run(3'000);
-    for (int times = 0; times < 3; ++times, ++trips) {
+    for (std::uint64_t times = count(1, 3); times > 0; --times, ++trips) {
       EXPECT_EQ(set.client->holding(c::holding_state), 3) << watchdog;
       EXPECT_EQ(set.client->holding(c::holding_fault), 1) << watchdog;
       EXPECT_TRUE(set.controller->lamp(Pin::Fault));
@@ -146,7 +149,7 @@ TEST(RunSwitch, StopsAndRuns) {
   const TwoPrograms programs("hx8k");
   Set set("hx8k", programs.old.words);
   RandomSource random(base_seed());
-  const std::uint64_t all = count(6, 200);
+  const std::uint64_t all = count(2, 200);
   for (std::uint64_t i = 0; i < all; ++i) {
     ASSERT_EQ(set.client->write(100, {low(i), low(i)}), 0);  // latched
     ASSERT_EQ(set.client->write(0, {77}), 0);                // not

@@ -159,7 +159,7 @@ TEST_F(Frames, NoiseAndMutations) {
   controller->changes();
   const auto generation = client.holding_long(c::holding_program_generation);
 
-  const std::uint64_t frames = count(1200, 100'000);
+  const std::uint64_t frames = count(400, 100'000);
   std::uint64_t answered = 0, exceptions = 0, silent = 0;
   Words known = client.read(0, kWords);
   std::uint64_t lost_before = static_cast<std::uint64_t>(client.holding(c::holding_lost_frames));

@@ -117,7 +117,7 @@ TEST_F(Image, EveryByteOfADownload) {
   ASSERT_NO_FATAL_FAILURE(begin("hx8k"));
   const std::size_t bytes = 2 * programs_->fresh.words.size();
   const std::uint32_t crc = load::crc32(programs_->fresh.words);
-  const std::size_t stride = full() ? 1 : 61;
+  const std::size_t stride = full() ? 1 : 127;
   std::uint64_t cases = 0;
   for (std::size_t byte = seed_ % stride; byte < bytes; byte += stride, ++cases) {
     ASSERT_NO_FATAL_FAILURE(
@@ -132,7 +132,7 @@ TEST_F(Image, EveryByteOfADownload) {
 TEST_F(Image, CutAtEveryWord) {
   ASSERT_NO_FATAL_FAILURE(begin("hx8k"));
   const Words& whole = programs_->fresh.words;
-  const std::size_t stride = full() ? 1 : 67;
+  const std::size_t stride = full() ? 1 : 89;
   std::uint64_t cases = 0;
   for (std::size_t words = seed_ % stride; words < whole.size(); words += stride) {
     Words cut(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(words));
@@ -154,10 +154,14 @@ TEST_F(Image, CutAtEveryWord) {
 
 // A window in the place of another is refused; sent twice, or in another order, it does no harm.
 TEST_F(Image, WindowsRepeated) {
-  ASSERT_NO_FATAL_FAILURE(begin("hx8k"));
+  // More than two whole windows.
+  std::string more;
+  for (int n = 0; n < 48; ++n) more += fmt::format("LD M98\nMOV D{} D{}\n", n + 2, n + 3);
+  ASSERT_NO_FATAL_FAILURE(begin("hx8k", more));
   const Words whole = programs_->fresh.words;
   const std::size_t count_of = (whole.size() + kWindow - 1) / kWindow;
-  const std::uint64_t cases = count(6, 60);
+  ASSERT_GT(count_of, 3U);
+  const std::uint64_t cases = count(2, 60);
   std::uint64_t taken = 0;
   for (std::uint64_t i = 0; i < cases; ++i) {
     const bool harmless = random_.percent(30);
@@ -208,7 +212,7 @@ TEST_F(Image, WindowsRepeated) {
 TEST_F(Image, StopsAfterABadDownload) {
   ASSERT_NO_FATAL_FAILURE(begin("hx8k", "", "stop_on_bad_download = true"));
   const Words& whole = programs_->fresh.words;
-  const std::uint64_t cases = count(4, 60);
+  const std::uint64_t cases = count(2, 60);
   for (std::uint64_t i = 0; i < cases; ++i) {
     const auto byte = static_cast<std::size_t>(random_.below(static_cast<int>(2 * whole.size())));
     ASSERT_EQ(send(damaged(byte), whole.size(), load::crc32(whole)), 3);
@@ -256,7 +260,7 @@ TEST_F(Image, EveryByteOfTheFlash) {
   const auto damage = [&](std::size_t at) {
     controller_->flash().memory()[at] ^= static_cast<std::uint8_t>(1 + random_.below(255));
   };
-  const std::size_t stride = full() ? 1 : 173;
+  const std::size_t stride = full() ? 1 : 211;
   std::uint64_t cases = 0, both = 0;
   for (std::size_t byte = seed_ % stride; byte < bytes; byte += stride, ++cases) {
     controller_->flash().memory() = good;

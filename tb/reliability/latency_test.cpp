@@ -21,6 +21,7 @@ namespace c = controller;
 constexpr std::uint64_t kForever = 1'000'000;
 // The bound is for any phases, of which the worst need not be met exactly.
 constexpr std::int64_t kNear = 4;
+constexpr std::int64_t kNearFiltered = 12;  // phases of scan and samples together
 
 struct Case {
   const char* name;
@@ -79,7 +80,7 @@ std::string map_of(const Case& one) {
       "board = \"{}\"\n[controller]\nexchange_points = {}\n{}[inputs]\n{} = {{ pin = \"{}\", "
       "filter "
       "= {} }}\n[outputs]\n{} = \"{}\"\n",
-      one.board, one.points, one.period ? "period_ms = 30.004\n" : "", own ? "X0" : "X177",
+      one.board, one.points, one.period ? "period_ms = 16.004\n" : "", own ? "X0" : "X177",
       hx8k ? "t1" : "in0", one.filter, own ? "Y0" : "Y177", hx8k ? "t5" : "out0");
 }
 
@@ -87,6 +88,9 @@ class Latency : public testing::TestWithParam<Case> {};
 
 TEST_P(Latency, EdgeToEdge) {
   const Case& one = GetParam();
+  // Of the samples one case is enough for every day.
+  if (!full() && one.file != nullptr && (one.points == 2000 || one.period || one.filter == 0))
+    GTEST_SKIP();
   RandomSource random(base_seed());
   Made made = make_program(list_of(one), map_of(one));
   quicken(made.words);
@@ -115,7 +119,7 @@ TEST_P(Latency, EdgeToEdge) {
       least_at = at;
     }
   };
-  for (std::uint64_t i = count(40, 2000); i > 0; --i) {
+  for (std::uint64_t i = count(12, one.period ? 1000 : 2000); i > 0; --i) {
     measure(controller->now() + 200 + random.bits() % (2 * period));
     if (HasFatalFailure()) return;
   }
@@ -153,10 +157,11 @@ TEST_P(Latency, EdgeToEdge) {
   note("most", most);
   note("bound_least", static_cast<std::uint64_t>(timing.best));
   note("bound_most", static_cast<std::uint64_t>(timing.worst));
+  const std::int64_t near = one.filter != 0 ? kNearFiltered : kNear;
   EXPECT_LE(static_cast<std::int64_t>(most), timing.worst);
   EXPECT_GE(static_cast<std::int64_t>(least), timing.best);
-  EXPECT_GE(static_cast<std::int64_t>(most), timing.worst - kNear);
-  EXPECT_LE(static_cast<std::int64_t>(least), timing.best + kNear);
+  EXPECT_GE(static_cast<std::int64_t>(most), timing.worst - near);
+  EXPECT_LE(static_cast<std::int64_t>(least), timing.best + near);
 }
 
 std::vector<Case> cases() {
@@ -196,7 +201,7 @@ TEST(Cycle, IsScanLast) {
     const auto controller = make_controller(board, base_seed());
     Client client(*controller);
     bool first = true;
-    for (std::size_t i = 0; i < names.size(); i += full() ? 1 : 9) {
+    for (std::size_t i = 0; i < names.size(); i += full() ? 1 : 12) {
       Made made;
       try {
         made = make_program(golden(names[i]), fmt::format("board = \"{}\"\n[controller]\n"
@@ -222,7 +227,7 @@ TEST(Cycle, IsScanLast) {
     }
   }
   note("programs", programs);
-  EXPECT_GT(programs, 2U);
+  EXPECT_GT(programs, 1U);
 }
 
 }  // namespace

@@ -98,7 +98,7 @@ TEST_F(Power, CutAtRandomMoments) {
     lasts[n] = controller_->now() - begun;
     if (static_cast<Work>(n) == Work::Download) fresh_ = !fresh_;
   }
-  const std::uint64_t all = count(16, 600);
+  const std::uint64_t all = count(4, 600);
   std::uint64_t resets = 0, in_flash = 0, old_ones = 0, new_ones = 0, old_values = 0,
                 new_values = 0;
   std::array<std::uint64_t, 4> works{};

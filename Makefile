@@ -38,9 +38,6 @@ help: ## this list
 	  awk -F ':.*## ' '{ printf "  %-9s %s\n", $$1, $$2 }'
 	@echo 'Values (defaults): MPU="$(MPU)" BOARD="$(BOARD)" SEEDS="$(SEEDS)" CONFIG=$(CONFIG) JOBS=$(JOBS)'
 
-# What stands in the micro-sequencer's ROM, for the boards: nothing is compiled yet
-firmware :=
-
 # One CMake build directory: configure if needed, then build.
 # $(1) directory, $(2) options of configuring, $(3) of building
 define cmake_build
@@ -74,6 +71,12 @@ test: ## all tests, built with sanitizers
 	@$(CTEST) --test-dir build/test -j $(JOBS) --output-on-failure --no-tests=error \
 	  --output-log build/logs/test.log
 
+.PHONY: reliability
+reliability: ## the controller with damaged programs, wrong frames, power cuts: reports/reliability.md
+	@scripts/setup.sh build
+	$(call cmake_build,build/release,$(RELEASE),--target reliability)
+	@$(PYTHON) scripts/reliability.py --jobs $(JOBS)
+
 .PHONY: fuzz
 fuzz: ## fuzz the readers of files, SECONDS= for each: reports/fuzz.md, tb/fuzz/corpus
 	@scripts/setup.sh fuzz
@@ -105,7 +108,6 @@ pnr: ## place and route: area and clock, into reports/ if all of them run; MPU= 
 .PHONY: bit
 bit: ## bitstreams of the controller: build/bit; BOARD=ulx3s, hx8k or tangnano20k, without it all
 	@scripts/setup.sh flow
-	$(firmware)
 	@$(VENV)/python scripts/bit.py --board $(PLC_BOARD) --seeds $(SEEDS)
 
 .PHONY: prog
@@ -119,7 +121,6 @@ prog: ## load a board's flash with its bitstream; BOARD=, PROG=--sram (until pow
 .PHONY: boards
 boards: ## the controller on its boards: area and clock over seeds 1 to 3: reports/boards.md
 	@scripts/setup.sh flow
-	$(firmware)
 	@$(VENV)/python scripts/boards.py --jobs $(JOBS)
 
 .PHONY: bench

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The micro-sequencer's ROM, rung_micro_rom.vh, from the firmware: part of gen_isa.py. It is compiled anew only when
-the firmware, the tables or the compiler have changed."""
+"""The micro-sequencer's ROM, rung_micro_rom.vh, and its depths, rung_micro_rom_words.vh, from the firmware: part of
+gen_isa.py. It is compiled anew only when the firmware, the tables or the compiler have changed."""
 import hashlib
 import os
 import subprocess
@@ -9,6 +9,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 FIRMWARE = ROOT / "hdl" / "controller" / "micro" / "firmware"
+ROM_STEP = 256     # words that a ROM's depth is a multiple of
 COMPILER = ROOT / "scripts" / "micro"
 MAIN = """
 import json, sys
@@ -56,16 +57,23 @@ def compiled(out, tables):
 
 def write_rom(out, tables, notice):
     rom, mark = out / "rung_micro_rom.vh", f"// {fingerprint(out)}\n"
-    if rom.exists() and rom.read_text().startswith(mark):
+    depths = out / "rung_micro_rom_words.vh"
+    if depths.exists() and rom.exists() and rom.read_text().startswith(mark):
         return
     text = [mark, f"// {notice}\n"]
+    deep = "0"
     for name, firmware in compiled(out, tables).items():
         text.append(f"// {name}: {len(firmware['words'])} words, {firmware['ram_words']} words of RAM, "
                     f"calls {firmware['depth']} deep\n")
-        text.append(f"if (CONFIG_ID == {tables['ids'][name]}) begin\n")
-        text += [f"  rom[{i}] = 16'h{word:04x};\n" for i, word in enumerate(firmware["words"])]
-        text.append("end\n")
+        size = -(-len(firmware["words"]) // ROM_STEP) * ROM_STEP
+        deep = f"CONFIG_ID == {tables['ids'][name]} ? {size} : {deep}"
+        words = firmware["words"] + [0] * (size - len(firmware["words"]))
+        text.append(f"if (CONFIG_ID == {tables['ids'][name]}) begin : gen_{name}\n  initial begin\n")
+        text += [f"    rom[{i}] = 16'h{word:04x};\n" for i, word in enumerate(words)]
+        text.append("  end\nend\n")
         (out / f"firmware_{name}.lst").write_text("\n".join(firmware["listing"]) + "\n")
+    depths.write_text(
+        f"// {notice}\n  localparam integer FIRMWARE_WORDS = {deep};\n")
     temporary = rom.with_suffix(".tmp")
     temporary.write_text("".join(text))
     os.replace(temporary, rom)

@@ -35,7 +35,7 @@ def output(command: list[str]) -> str:
 
 def verilator() -> list[str]:
     found = []
-    rtl = sorted((ROOT / "hdl").glob("*.v")) + sorted((ROOT / "hdl" / "core").glob("*.v"))
+    rtl = sorted((ROOT / "hdl").glob("mpu*.v")) + sorted((ROOT / "hdl" / "core").glob("*.v"))
     runs = [(f"mpu{mpu}", rtl, ["-DRUNG_RETIRE"]) for mpu in MPUS]
     for board in BOARDS.values():
         for mpu in MPUS:
@@ -61,11 +61,12 @@ def behind_header(said: str, copy: Path, original: Path, header_lines: int) -> s
 
 
 def verible() -> list[str]:
-    """Board tops hold macros that stand for parameter lists, which verible takes only where they are
+    """Board tops and the simulated one hold macros that stand for parameter lists, which verible takes only where they are
     defined: they are checked behind the headers that define them."""
     rules = f"--rules_config={ROOT / 'hdl' / 'verible.rules'}"
     boards = [*BOARDS.values(), *PLC_BOARDS.values()]
     tops = [ROOT / "hdl" / "boards" / f"{board.name}.v" for board in boards]
+    tops.append(ROOT / "tb" / "controller" / "simulated_controller.v")
     files = [f for folder in ("hdl", "tb") for f in sorted((ROOT / folder).rglob("*.v"))
              if f not in tops]
     found = [output([VERIBLE, rules, *map(str, files)])]
@@ -83,7 +84,7 @@ def pins() -> list[str]:
 
 
 def clang_format() -> list[str]:
-    files = [str(f) for folder in ("compiler", "tb") for f in sorted((ROOT / folder).rglob("*"))
+    files = [str(f) for folder in ("compiler", "hdl", "tb") for f in sorted((ROOT / folder).rglob("*"))
              if f.suffix in (".c", ".h", ".cpp", ".hpp")]
     return [output([CLANG_FORMAT, "--dry-run", "-Werror", *files])]
 

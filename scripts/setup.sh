@@ -25,11 +25,12 @@ build=$root/build
 logs=$build/logs
 venv=$build/venv
 
-build_packages=(g++ tcc cmake ninja-build ccache verilator python3 zlib1g-dev
+build_packages=(g++ tcc cmake ninja-build ccache verilator python3 python3-pycparser zlib1g-dev
                 libgtest-dev libcli11-dev libfmt-dev nlohmann-json3-dev libutfcpp-dev
                 libtomlplusplus-dev libmodbus-dev
                 gcc-avr avr-libc libsimavr-dev)
-venv_packages=(python3 python3-venv ca-certificates)
+# gcc preprocesses the controller's firmware, pycparser reads it (scripts/gen_firmware.py).
+venv_packages=(python3 python3-venv python3-pycparser gcc ca-certificates)
 
 say() { printf 'setup: %s\n' "$*"; }
 fail() { printf 'setup: %s\n' "$*" >&2; exit 1; }
@@ -82,7 +83,9 @@ debian() {
 # Make an environment what its requirements say.
 # arguments: DIRECTORY, REQUIREMENTS, what is in it, and a command to run once all is installed
 environment() {
-  local directory=$1 requirements=$2 what=$3 stamp=$1/.requirements name want
+  local directory requirements=$2 what=$3 stamp name want
+  directory=$(realpath -m "$1")  # venv refuses a link, which a second worktree may have here
+  stamp=$directory/.requirements
   name=$(basename "$directory")
   want=$(sha256sum <"$requirements")
   if [ "$(cat "$stamp" 2>/dev/null)" = "$want" ]; then

@@ -19,7 +19,19 @@ inline constexpr int kRefused = 1;    // the program or a file
 inline constexpr int kUsage = 2;      // wrong usage
 inline constexpr int kDifferent = 3;  // a run differed from its golden trace or its reference
 
-enum class Command { Compile, Run, Check, Translate, Export, Load, Info, Monitor, Force, Control, Device };
+enum class Command {
+  Compile,
+  Run,
+  Check,
+  Translate,
+  Export,
+  Load,
+  Info,
+  Monitor,
+  Force,
+  Control,
+  Device
+};
 
 struct Options {
   Command command = Command::Compile;

@@ -79,7 +79,7 @@ struct Image {
   bool own_pins = false;      // its IO LIST assigns pins, of a micro-controller
   // Of each PERSIST value the variable, in the order of the lasting memory.
   std::vector<std::string> persist;
-  int first_hidden_bit = 0;   // addresses from here are the compiler's own
+  int first_hidden_bit = 0;  // addresses from here are the compiler's own
   int first_hidden_word = 0;
   std::vector<SourceLine> source;  // the instructions of the program
   std::int64_t clocks = 0;         // of one scan, the pipeline's filling included

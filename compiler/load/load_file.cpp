@@ -210,10 +210,16 @@ class Maker {
       set(space_setup, static_cast<std::uint32_t>(setup_filter + each.pin),
           static_cast<std::uint16_t>(each.filter | (each.invert ? 16 : 0)));
     }
+    // All of them: between two programs the firmware leaves outputs as the old one had them, so
+    // that an inverted one does not come on meanwhile.
+    std::vector<std::uint16_t> outputs(bindings_.board->outputs.size(), 0);
     for (const io::Bindings::Output& each : bindings_.outputs) {
       const int safe = each.safe == io::Safe::High ? 1 : each.safe == io::Safe::Hold ? 2 : 0;
-      set(space_setup, static_cast<std::uint32_t>(setup_output + each.pin),
-          static_cast<std::uint16_t>(safe | (each.invert ? 4 : 0)));
+      outputs[static_cast<std::size_t>(each.pin)] =
+          static_cast<std::uint16_t>(safe | (each.invert ? 4 : 0));
+    }
+    for (std::size_t pin = 0; pin < outputs.size(); ++pin) {
+      set(space_setup, static_cast<std::uint32_t>(setup_output + pin), outputs[pin]);
     }
   }
 

@@ -118,6 +118,6 @@ def plc_design(board: Board) -> Design:
     folders = [hdl, hdl / "core", hdl / "peripherals", hdl / "controller"]
     sources = [source for folder in folders for source in sorted(folder.glob("*.v"))]
     sources += sorted((hdl / "controller" / "micro").glob("*.v")) + [
-        hdl / "boards" / "power_on_reset.v", hdl / "boards" / f"{board.name}.v"]
+        hdl / "boards" / f"{name}.v" for name in ("power_on_reset", "ladder_ports", board.name)]
     return Design(board.name, board.name, tuple(sources), (tools.GENERATED, hdl / "core"), (), board,
                   kind="bit")

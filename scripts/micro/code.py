@@ -21,8 +21,8 @@ COMPARES = ("==", "!=", "<", "<=", ">", ">=")
 class Generator:
     """The code of one function."""
 
-    def __init__(self, unit: Unit, function: Function, registers: int) -> None:
-        self.unit, self.function, self.registers = unit, function, registers
+    def __init__(self, unit: Unit, function: Function) -> None:
+        self.unit, self.function = unit, function
         self.out: list[Instruction | Label] = []
         self.labels = 0
         self.used = 0                      # temporaries in use
@@ -86,6 +86,21 @@ class Generator:
             fail(node, f"{name} has {self.unit.globals[name]} words")
         return name
 
+    def split_index(self, node: c_ast.Node) -> tuple[c_ast.Node, int]:
+        """A variable part of an index and a constant one, which the instruction adds."""
+        offset = 0
+        while isinstance(node, c_ast.BinaryOp) and node.op in ("+", "-"):
+            right = self.const(node.right)
+            if right is not None:
+                offset += right if node.op == "+" else -right
+                node = node.left
+                continue
+            left = self.const(node.left)
+            if left is None or node.op == "-":
+                break
+            offset, node = offset + left, node.right
+        return node, offset
+
     def apply(self, operation: str, operand: tuple[str, int] | int) -> None:
         if isinstance(operand, int):
             self.emit(IMMEDIATE[operation], operand)
@@ -100,6 +115,12 @@ class Generator:
 
     def operate(self, operation: str, left: c_ast.Node, right: c_ast.Node) -> None:
         """acc = left operation right."""
+        if operation in ("ADD", "SUB", "OR", "XOR") and self.const(right) == 0:
+            self.expression(left)
+            return
+        if operation in ("ADD", "OR", "XOR") and self.const(left) == 0:
+            self.expression(right)
+            return
         simple_left, simple_right = self.simple(left), self.simple(right)
         if simple_right is not None:
             self.expression(left)
@@ -116,18 +137,14 @@ class Generator:
             self.emit(operation, (temporary, 0))
             self.used = mark
         else:
+            # C leaves the order open; from left to right where it costs nothing.
             mark = self.used
-            self.expression(left)
-            first = self.temporary()
-            self.emit("STORE", (first, 0))
-            self.expression(right)
-            if operation in COMMUTATIVE:
-                self.emit(operation, (first, 0))
-            else:
-                second = self.temporary()
-                self.emit("STORE", (second, 0))
-                self.emit("LOAD", (first, 0))
-                self.emit(operation, (second, 0))
+            first, then = (left, right) if operation in COMMUTATIVE else (right, left)
+            self.expression(first)
+            temporary = self.temporary()
+            self.emit("STORE", (temporary, 0))
+            self.expression(then)
+            self.emit(operation, (temporary, 0))
             self.used = mark
 
     def expression(self, node: c_ast.Node) -> None:
@@ -142,8 +159,9 @@ class Generator:
             return
         if isinstance(node, c_ast.ArrayRef):
             name = self.array(node)
-            self.expression(node.subscript)
-            self.emit("LOADX", (name, 0))
+            index, offset = self.split_index(node.subscript)
+            self.expression(index)
+            self.emit("LOADX", (name, offset))
         elif isinstance(node, c_ast.FuncCall):
             self.call(node, True)
         elif isinstance(node, c_ast.UnaryOp):
@@ -174,12 +192,13 @@ class Generator:
         elif node.op == "!":
             self.expression(node.expr)
             self.emit("EQI", 0)
+            self.emit("TEST")
         else:
             fail(node, f"operator {node.op} is not in the language here")
 
     def binary(self, node: c_ast.BinaryOp) -> None:
         operation = node.op
-        if operation in ("&&", "||", "!=", "<=", ">", ">="):
+        if operation in ("&&", "||", *COMPARES):
             self.truth(node)
         elif operation in ("<<", ">>"):
             count = self.const(node.right)
@@ -194,12 +213,26 @@ class Generator:
             self.multiply(node)
         elif operation in BINARY:
             right = self.const(node.right)
+            if operation == "&" and right is not None and self.shift_out(node.left, right):
+                return
             if operation == "-" and right is not None and right > MOST:
                 self.operate("ADD", node.left, c_ast.Constant("int", str(-right & 0xFFFF), node.coord))
             else:
                 self.operate(BINARY[operation], node.left, node.right)
         else:
             fail(node, f"operator {operation} is not in the language here")
+
+    def shift_out(self, value: c_ast.Node, mask: int) -> bool:
+        """acc = value & mask by two shifts, if the mask is one run of bits at an end and a long number."""
+        low = mask & mask + 1 == 0
+        if mask <= MOST or not (low or (mask | mask - 1) == 0xFFFF):
+            return False
+        count = 16 - mask.bit_count()
+        self.expression(value)
+        if count:
+            self.emit("SHIFT", count if low else 16 + count)
+            self.emit("SHIFT", 16 + count if low else count)
+        return True
 
     def multiply(self, node: c_ast.BinaryOp) -> None:
         left, right = node.left, node.right
@@ -215,8 +248,10 @@ class Generator:
     def truth(self, node: c_ast.Node) -> None:
         """acc = 0 or 1."""
         if isinstance(node, c_ast.BinaryOp) and node.op in COMPARES:
-            if self.compare(node):
-                self.emit("EQI", 0)
+            opposite = self.compare(node)
+            self.emit("TEST")
+            if opposite:
+                self.emit("XORI", 1)
             return
         no, end = self.label(), self.label()
         self.branch(node, no, False)
@@ -227,11 +262,24 @@ class Generator:
         self.place(end)
 
     def compare(self, node: c_ast.BinaryOp) -> bool:
-        """acc = the comparison, or its opposite: then true is given."""
+        """test = the comparison, or its opposite: then true is given."""
         left, right, operation = node.left, node.right, node.op
         if operation in ("==", "!="):
-            self.operate("EQ", left, right)
+            value = self.const(right)
+            if value is not None and 0xFFFF - value <= MOST:
+                self.expression(left)
+                self.emit("NOT")
+                self.emit("EQI", 0xFFFF - value)
+            else:
+                self.operate("EQ", left, right)
             return operation == "!="
+        shifted = self.shifted_limit(operation, self.const(right))
+        if shifted is not None:
+            # a < m << k is a >> k < m
+            self.expression(left)
+            self.emit("SHIFT", 16 + shifted[1])
+            self.emit("LTUI", shifted[0])
+            return operation in (">", ">=")
         if operation in (">", "<="):
             # a > c is !(a < c + 1)
             value = self.const(right)
@@ -247,6 +295,14 @@ class Generator:
             return operation == "<"
         self.operate("LTU", left, right)
         return operation == ">="
+
+    def shifted_limit(self, operation: str, value: int | None) -> tuple[int, int] | None:
+        """m and k of a limit m << k that is too long for an instruction while m is not."""
+        if value is None:
+            return None
+        limit = value + (operation in (">", "<="))
+        shift = (limit & -limit).bit_length() - 1
+        return (limit >> shift, shift) if MOST < limit <= 0xFFFF and limit >> shift <= MOST else None
 
     def branch(self, node: c_ast.Node, target: str, when: bool) -> None:
         """Jumps to `target` if the condition is `when`."""
@@ -273,8 +329,18 @@ class Generator:
             opposite = self.compare(node)
             self.emit("JNZ" if when != opposite else "JZ", target)
         else:
-            self.expression(node)
+            if not self.high_bits(node):
+                self.expression(node)
             self.emit("JNZ" if when else "JZ", target)
+
+    def high_bits(self, node: c_ast.Node) -> bool:
+        """acc is not 0 if the high bits of a value that a mask names are not: those below are shifted out."""
+        mask = self.const(node.right) if isinstance(node, c_ast.BinaryOp) and node.op == "&" else None
+        if mask is None or mask <= MOST or (mask | mask - 1) != 0xFFFF:
+            return False
+        self.expression(node.left)
+        self.emit("SHIFT", 16 + (mask & -mask).bit_length() - 1)
+        return True
 
     # ---- calls ---------------------------------------------------------------------------------
     def call(self, node: c_ast.FuncCall, wanted: bool) -> None:
@@ -299,36 +365,38 @@ class Generator:
             self.emit("CALL", name)
 
     def pass_arguments(self, called: Function, arguments: list[c_ast.Node]) -> None:
+        """Arguments with calls first, as these may use the called function's variables, or lie over them."""
+        if not arguments:
+            return
         mark = self.used
-        waiting: list[tuple[str, str]] = []
-        for i, argument in enumerate(arguments):
-            self.expression(argument)
-            if i == len(arguments) - 1:
-                if waiting:
-                    last = self.temporary()
-                    self.emit("STORE", (last, 0))
-                for temporary, place in waiting:
-                    self.emit("LOAD", (temporary, 0))
-                    self.emit("STORE", (place, 0))
-                if waiting:
-                    self.emit("LOAD", (last, 0))
-                break
-            place = f"{called.name}:{called.parameters[i]}"
-            # A call in a later argument may need the function's variables, or lie over them.
-            if any(has_call(later) for later in arguments[i + 1:]):
-                temporary = self.temporary()
-                self.emit("STORE", (temporary, 0))
-                waiting.append((temporary, place))
+        last = len(arguments) - 1
+        calling = [i for i, argument in enumerate(arguments) if calls_function(argument)]
+        if calling == [last] and not last:
+            calling = []
+        places = [f"{called.name}:{name}" for name in called.parameters]
+        waiting: dict[int, str] = {}
+        for i in calling:
+            self.expression(arguments[i])
+            if i == calling[-1] and i != last:
+                self.emit("STORE", (places[i], 0))
             else:
-                self.emit("STORE", (place, 0))
+                waiting[i] = self.temporary()
+                self.emit("STORE", (waiting[i], 0))
+        for i, argument in enumerate(arguments):
+            if i in waiting:
+                self.emit("LOAD", (waiting[i], 0))
+            elif i not in calling:
+                self.expression(argument)
+            else:
+                continue
+            if i != last:
+                self.emit("STORE", (places[i], 0))
         self.used = mark
 
     def register(self, address: c_ast.Node) -> int | None:
-        """Operand of IN and OUT for a constant address among the registers."""
+        """Operand of IN and OUT for a constant address."""
         value = self.const(address)
-        if value is None or not 0 <= value - self.registers <= MOST:
-            return None
-        return value - self.registers
+        return value if value is not None and value <= MOST // 2 else None
 
     def read(self, address: c_ast.Node) -> None:
         register = self.register(address)
@@ -349,7 +417,11 @@ class Generator:
     def indexed(self, index: c_ast.Node, value: c_ast.Node, store: Instruction) -> None:
         """x = index, acc = value, then `store`."""
         mark = self.used
-        if has_call(value):  # it may use x
+        simple = self.simple(index)
+        if isinstance(simple, tuple):
+            self.expression(value)
+            self.emit("INDEX", simple)
+        elif calls_function(value):  # that may use x
             self.expression(value)
             temporary = self.temporary()
             self.emit("STORE", (temporary, 0))
@@ -362,6 +434,13 @@ class Generator:
             self.expression(value)
         self.out.append(store)
         self.used = mark
+
+
+def calls_function(node: c_ast.Node) -> bool:
+    """Whether evaluating the node calls a function that is no intrinsic one."""
+    if isinstance(node, c_ast.FuncCall) and node.name.name not in INTRINSICS:
+        return True
+    return any(calls_function(child) for _, child in node.children())
 
 
 def has_call(node: c_ast.Node) -> bool:

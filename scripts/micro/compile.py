@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-from micro import layout
+from micro import depth, layout
 from micro.assemble import assemble
 from micro.front import FirmwareError, parse, preprocess
 from micro.isa import RETURN_DEPTH
@@ -25,16 +25,16 @@ class Firmware:
 def compile_text(text: str, name: str, micro: dict[str, int]) -> Firmware:
     """`micro` is [micro] of controller.toml. Raises FirmwareError."""
     unit = parse(text, name)
-    functions = generate(unit, micro["registers"])
+    functions = generate(unit)
     places, ram_words = layout.place_variables(unit, 0)
     room = micro["ram_words"] - RETURN_DEPTH
     if ram_words > room:
-        raise FirmwareError(f"{name}: error: {ram_words} words of variables, and the RAM has {room}")
-    depth = layout.call_depth(unit)
-    if depth > RETURN_DEPTH:
-        raise FirmwareError(f"{name}: error: calls {depth} deep, and {RETURN_DEPTH} returns are kept")
+        raise FirmwareError(f"{name}:1:1: error: {ram_words} words of variables, and the RAM has {room}")
     words, listing = assemble(unit, functions, places, micro["rom_words"])
-    return Firmware(words, ram_words, depth, listing, places)
+    deep = depth.of_words(words)
+    if deep > RETURN_DEPTH:
+        raise FirmwareError(f"{name}:1:1: error: calls {deep} deep, and {RETURN_DEPTH} returns are kept")
+    return Firmware(words, ram_words, deep, listing, places)
 
 
 def compile_file(source: Path, include: list[Path], defines: list[str],

@@ -45,7 +45,7 @@ def preprocess(source: Path, include: list[Path], defines: list[str]) -> str:
                *(f"-D{define}" for define in defines), str(source)]
     run = subprocess.run(command, capture_output=True, text=True, check=False)
     if run.returncode:
-        raise FirmwareError(run.stderr.strip())
+        raise FirmwareError(run.stderr.strip().replace(": fatal error: ", ": error: "))
     return run.stdout
 
 
@@ -99,8 +99,8 @@ def fold(node: c_ast.BinaryOp, left: int, right: int) -> int:
 class Locals(c_ast.NodeVisitor):
     """Collects a function's variables and calls."""
 
-    def __init__(self, function: Function, unit: Unit) -> None:
-        self.function, self.unit = function, unit
+    def __init__(self, function: Function, unit: Unit, defined: set[str]) -> None:
+        self.function, self.unit, self.defined = function, unit, defined
 
     def visit_Decl(self, node: c_ast.Decl) -> None:  # noqa: N802
         if not is_u16(node.type):
@@ -116,6 +116,8 @@ class Locals(c_ast.NodeVisitor):
     def visit_FuncCall(self, node: c_ast.FuncCall) -> None:  # noqa: N802
         if not isinstance(node.name, c_ast.ID):
             fail(node, "a call of what is no function's name")
+        if node.name.name not in INTRINSICS and node.name.name not in self.defined:
+            fail(node, f"{self.function.name} calls {node.name.name}, which is not there")
         self.function.calls.add(node.name.name)
         self.generic_visit(node)
 
@@ -155,7 +157,7 @@ def enumerate_constants(unit: Unit, node: c_ast.Enum) -> None:
         value += 1
 
 
-def define(unit: Unit, node: c_ast.FuncDef) -> None:
+def define(unit: Unit, node: c_ast.FuncDef, defined: set[str]) -> None:
     declaration = node.decl.type
     gives = is_u16(declaration.type)
     if not gives and not is_void(declaration.type):
@@ -174,7 +176,7 @@ def define(unit: Unit, node: c_ast.FuncDef) -> None:
         if name in unit.globals:
             fail(node, f"{name} hides a global variable: give it another name")
         function.locals[name] = 1
-    Locals(function, unit).visit(node.body)
+    Locals(function, unit, defined).visit(node.body)
     unit.functions[function.name] = function
 
 
@@ -183,19 +185,17 @@ def parse(text: str, name: str) -> Unit:
     try:
         tree = c_parser.CParser().parse(text, name)
     except Exception as error:  # pycparser's own class moved between its releases
-        raise FirmwareError(f"{error}") from error
+        place, _, what = str(error).partition(": ")
+        raise FirmwareError(f"{place}: error: syntax, {what}") from error
     unit = Unit({}, set(), {}, {})
+    defined = {node.decl.name for node in tree.ext if isinstance(node, c_ast.FuncDef)}
     for node in tree.ext:
         if isinstance(node, c_ast.FuncDef):
-            define(unit, node)
+            define(unit, node, defined)
         elif isinstance(node, c_ast.Decl):
             declare(unit, node)
         elif not isinstance(node, c_ast.Typedef):
             fail(node, "neither a variable nor a function")
-    for function in unit.functions.values():
-        for called in function.calls - set(INTRINSICS):
-            if called not in unit.functions:
-                fail(function.node, f"{function.name} calls {called}, which is not there")
     for entry in ENTRIES:
         if entry not in unit.functions:
             raise FirmwareError(f"{name}:1:1: error: no function {entry}")

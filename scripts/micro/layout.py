@@ -41,12 +41,3 @@ def place_variables(unit: Unit, first: int) -> tuple[dict[str, int], int]:
             base[called] = max(base[called], after)
         end = max(end, after)
     return places, end
-
-
-def call_depth(unit: Unit) -> int:
-    """Returns that are open at most, with one for the entry's own call."""
-    depth = dict.fromkeys(unit.functions, 0)
-    for name in reversed(depth_order(unit)):
-        calls = unit.functions[name].calls - set(INTRINSICS)
-        depth[name] = 1 + max((depth[called] for called in calls), default=0)
-    return max(depth[entry] for entry in ENTRIES)

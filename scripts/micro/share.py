@@ -5,7 +5,8 @@ from __future__ import annotations
 
 from collections import Counter, defaultdict
 
-from micro.isa import JUMPS, Instruction, Label
+from micro import depth
+from micro.isa import JUMPS, RETURN_DEPTH, Instruction, Label
 
 Code = list[Instruction | Label]
 SHORTEST, LONGEST = 2, 24
@@ -65,11 +66,13 @@ def windows(code: Code) -> dict[tuple, list[int]]:
     found: dict[tuple, list[int]] = defaultdict(list)
     for start in range(len(code)):
         sequence: list[tuple[str, object]] = []
+        branches = False
         for item in code[start:start + LONGEST]:
-            if isinstance(item, Label) or item.name in ("JZ", "JNZ"):
+            if isinstance(item, Label):
                 break
             sequence.append(key(item))
-            if len(sequence) >= SHORTEST:
+            branches = branches or item.name in ("JZ", "JNZ")
+            if len(sequence) >= SHORTEST and (not branches or item.name in ("JUMP", "RETURN")):
                 found[tuple(sequence)].append(start)
             if item.name in ("JUMP", "RETURN"):
                 break
@@ -94,17 +97,30 @@ def gain(sequence: tuple, count: int) -> int:
 
 
 def share(code: Code, routines: int) -> Code:
-    """Takes out the best sequence, again and again."""
+    """Takes out the best sequence, of equal ones the longest, again and again; not one whose call would be
+    one too deep."""
     made = 0
+    too_deep: set[tuple] = set()
     while made < routines:
         best, places = max(((sequence, apart(starts, len(sequence)))
-                            for sequence, starts in windows(code).items() if len(starts) > 1),
-                           key=lambda each: gain(each[0], len(each[1])), default=((), []))
-        if not best or gain(best, len(places)) <= 0:
+                            for sequence, starts in windows(code).items()
+                            if len(starts) > 1 and sequence not in too_deep),
+                           key=lambda each: (gain(each[0], len(each[1])), len(each[0])), default=((), []))
+        if not best or gain(best, len(places)) < 0:  # what gains nothing yet may end alike
             return code
+        shorter = take_out(code, best, places, fresh(code))
+        if depth.of_code(shorter) > RETURN_DEPTH:
+            too_deep.add(best)
+            continue
         made += 1
-        code = take_out(code, best, places, f"%{made}.shared")
+        code = shorter
     return code
+
+
+def fresh(code: Code) -> str:
+    """A name for a sequence that no label has yet."""
+    used = {item.name for item in code if isinstance(item, Label)}
+    return next(name for name in (f"%{n}.shared" for n in range(1, len(code) + 2)) if name not in used)
 
 
 def take_out(code: Code, sequence: tuple, places: list[int], name: str) -> Code:

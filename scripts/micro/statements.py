@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from pycparser import c_ast
 
-from micro.code import Generator
-from micro.front import Function, Unit, fail
+from micro.code import COMPARES, Generator, has_call
+from micro.front import Function, Unit, fail, fold
 from micro.isa import MOST, Instruction, Label
 
 
@@ -44,6 +44,8 @@ class FunctionGenerator(Generator):
     def on_Assignment(self, node: c_ast.Assignment) -> None:  # noqa: N802
         value = node.rvalue
         if node.op != "=":
+            if isinstance(node.lvalue, c_ast.ArrayRef) and has_call(node.lvalue.subscript):
+                fail(node, "this index would be evaluated twice, and it has a call: give it a variable of its own")
             value = c_ast.BinaryOp(node.op[:-1], node.lvalue, node.rvalue, node.coord)
         if isinstance(node.lvalue, c_ast.ID):
             place: tuple[str, int] | None = (self.variable(node.lvalue), 0)
@@ -52,12 +54,26 @@ class FunctionGenerator(Generator):
             place = None if index is None else (self.array(node.lvalue), index)
         else:
             fail(node, "only variables and words of arrays are assigned")
-        if place is not None:
+        step = self.step_of(node.lvalue, value)
+        if place is not None and step:
+            self.emit(step, place)
+        elif place is not None:
             self.expression(value)
             self.emit("STORE", place)
         else:
-            self.indexed(node.lvalue.subscript, value,
-                         Instruction("STOREX", (self.array(node.lvalue), 0)))
+            subscript, offset = self.split_index(node.lvalue.subscript)
+            self.indexed(subscript, value, Instruction("STOREX", (self.array(node.lvalue), offset)))
+
+    def step_of(self, variable: c_ast.Node, value: c_ast.Node) -> str | None:
+        """INC or DEC if `value` is the variable and one more or less."""
+        if not isinstance(value, c_ast.BinaryOp) or value.op not in ("+", "-"):
+            return None
+        for this, other in ((value.left, value.right), (value.right, value.left)):
+            if self.const(other) in (1, 0xFFFF) and self.simple(this) == self.simple(variable):
+                if value.op == "-" and other is value.left:
+                    continue
+                return "INC" if (value.op == "+") == (self.const(other) == 1) else "DEC"
+        return None
 
     def on_UnaryOp(self, node: c_ast.UnaryOp) -> None:  # noqa: N802
         if node.op not in ("++", "--", "p++", "p--"):
@@ -100,14 +116,28 @@ class FunctionGenerator(Generator):
     def on_For(self, node: c_ast.For) -> None:  # noqa: N802
         again, step, end = self.label(), self.label(), self.label()
         self.statement(node.init)
+        enters = self.enters(node)
         self.place(again)
-        if node.cond is not None:
+        if node.cond is not None and not enters:
             self.branch(node.cond, end, False)
         self.loop(node.stmt, step, end)
         self.place(step)
         self.statement(node.next)
-        self.emit("JUMP", again)
+        if enters:
+            self.branch(node.cond, again, True)
+        else:
+            self.emit("JUMP", again)
         self.place(end)
+
+    def enters(self, node: c_ast.For) -> bool:
+        """Whether the condition of a loop is true for the constant that its variable begins with."""
+        if not isinstance(node.init, c_ast.Assignment) or not isinstance(node.cond, c_ast.BinaryOp):
+            return False
+        first, last = self.const(node.init.rvalue), self.const(node.cond.right)
+        same = (isinstance(node.init.lvalue, c_ast.ID) and isinstance(node.cond.left, c_ast.ID)
+                and node.init.lvalue.name == node.cond.left.name and node.init.op == "=")
+        return same and first is not None and last is not None and node.cond.op in COMPARES and bool(
+            fold(node.cond, first, last))
 
     def loop(self, body: c_ast.Node, on: str, out: str) -> None:
         self.loops.append((on, out))
@@ -174,9 +204,9 @@ class FunctionGenerator(Generator):
             self.used = mark
 
 
-def generate(unit: Unit, registers: int) -> dict[str, list[Instruction | Label]]:
+def generate(unit: Unit) -> dict[str, list[Instruction | Label]]:
     """The code of every function; their temporaries become variables of theirs."""
-    return {name: FunctionGenerator(unit, function, registers).function_code()
+    return {name: FunctionGenerator(unit, function).function_code()
             for name, function in unit.functions.items()}
 
 

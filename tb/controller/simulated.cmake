@@ -2,6 +2,7 @@
 # rung_controller_models: the controller of two boards, Verilated for speed and without sanitizers, built
 # once for `rung device` and the tests. rung_simulated_controller: the bench around it.
 set(RUNG_CLOCKS_PER_MS 250)  # of a simulated millisecond
+set(RUNG_PLANT_CLOCKS_PER_MS 80)  # where hours are simulated (tb/plant)
 file(GLOB controller_sources CONFIGURE_DEPENDS
   ${RUNG_ROOT}/hdl/controller/*.v ${RUNG_ROOT}/hdl/controller/micro/*.v
   ${RUNG_ROOT}/hdl/core/*.v ${RUNG_ROOT}/hdl/peripherals/*.v ${RUNG_ROOT}/hdl/*.v)
@@ -9,19 +10,29 @@ list(APPEND controller_sources ${RUNG_ROOT}/hdl/boards/ladder_ports.v)
 
 add_library(rung_controller_models STATIC)
 target_compile_options(rung_controller_models PRIVATE -O2 -w)
-function(controller_model name top)
+# Each with its UART, and once more with bytes in the place of it.
+set(controller_byte_sources ${controller_sources})
+list(FILTER controller_byte_sources EXCLUDE REGEX "/host_uart\\.v$")
+list(APPEND controller_byte_sources ${CMAKE_CURRENT_SOURCE_DIR}/bytes/host_uart.v)
+foreach(board simulated:0:${RUNG_CLOCKS_PER_MS} hx8k:2:${RUNG_CLOCKS_PER_MS}
+              simulated_bytes:0:${RUNG_CLOCKS_PER_MS} hx8k_bytes:2:${RUNG_CLOCKS_PER_MS}
+              plant_bytes:0:${RUNG_PLANT_CLOCKS_PER_MS})
+  string(REPLACE ":" ";" board ${board})
+  list(GET board 0 name)
+  list(GET board 1 number)
+  list(GET board 2 clocks_per_ms)
+  set(model_sources ${controller_sources})
+  if(name MATCHES "_bytes$")
+    set(model_sources ${controller_byte_sources})
+  endif()
   verilate(rung_controller_models
-    SOURCES ${CMAKE_CURRENT_SOURCE_DIR}/${top}.v ${controller_sources}
+    SOURCES ${CMAKE_CURRENT_SOURCE_DIR}/simulated_controller.v ${model_sources}
     INCLUDE_DIRS ${RUNG_GENERATED} ${RUNG_ROOT}/hdl/core ${RUNG_ROOT}/hdl/controller
-    TOP_MODULE ${top}
+    TOP_MODULE simulated_controller
     PREFIX Vcontroller_${name}
     VERILATOR_ARGS -Wall -O3 --x-initial unique --x-assign fast --noassert
-                   -GCLOCKS_PER_MS=${RUNG_CLOCKS_PER_MS} ${ARGN})
-endfunction()
-controller_model(simulated simulated_controller -GBOARD=0)
-controller_model(hx8k simulated_controller -GBOARD=2)
-# Its line as bytes, for tests with very many frames
-controller_model(bytes simulated_core)
+                   -GBOARD=${number} -GCLOCKS_PER_MS=${clocks_per_ms})
+endforeach()
 get_target_property(controller_includes rung_controller_models INCLUDE_DIRECTORIES)
 set_target_properties(rung_controller_models PROPERTIES
                       INTERFACE_SYSTEM_INCLUDE_DIRECTORIES "${controller_includes}")
@@ -31,7 +42,8 @@ target_link_libraries(rung_simulated_controller PUBLIC rung_device rung_controll
                       rung_flash_model)
 target_include_directories(rung_simulated_controller PUBLIC ${RUNG_ROOT}/tb)
 target_compile_definitions(rung_simulated_controller PRIVATE
-                           RUNG_CLOCKS_PER_MS=${RUNG_CLOCKS_PER_MS})
+                           RUNG_CLOCKS_PER_MS=${RUNG_CLOCKS_PER_MS}
+                           RUNG_PLANT_CLOCKS_PER_MS=${RUNG_PLANT_CLOCKS_PER_MS})
 # Its loop runs with every clock of every simulated hour: as fast in the tests as the model itself.
 target_compile_options(rung_simulated_controller PRIVATE -O2 $<$<BOOL:${RUNG_SANITIZE}>:-fno-sanitize=all>)
 

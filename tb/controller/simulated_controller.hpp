@@ -23,12 +23,13 @@ struct ControllerSetup {
   // Where the host line is met: at its pins, or (much shorter) as bytes behind the UART.
   enum class Line : std::uint8_t { Bits, Bytes };
   Line line = Line::Bits;
-  // Clocks of a simulated millisecond: one of built_clocks_per_ms(). It is a parameter of the RTL.
+  // Clocks of a simulated millisecond: one of built_clocks_per_ms(), or those for plants with
+  // `simulated` at its bytes. It is a parameter of the RTL.
   std::uint64_t clocks_per_ms = 250;
   // Of what registers and memories hold at power-up, and of what a power cut leaves in the flash.
   std::uint64_t seed = 1;
   // Times of the flash; none: those of a W25Q in simulated milliseconds.
-  std::optional<FlashTimes> flash_times = {};
+  std::optional<FlashTimes> flash_times;
 };
 
 class SimulatedController : public device::BenchMachine {

@@ -7,7 +7,7 @@
 #include <memory>
 #include <utility>
 
-#include "controller/byte_line.hpp"
+#include "controller/fast_line.hpp"
 #include "controller/simulated_controller.hpp"
 
 namespace rung::tb {
@@ -46,38 +46,27 @@ class PinsOfLine {
   bool fixed_ = false;
 };
 
-// Its bytes, behind the UART.
+// Its bytes, with bytes/host_uart.v in the place of the UART.
 template <typename Top>
 class BytesOfLine {
  public:
-  void idle(Top& top) {
-    top.host_rx_active_i = 0;
-    top.host_rx_valid_i = 0;
-    top.host_rx_error_i = 0;
-    top.host_tx_ready_i = 1;
-    top.host_tx_busy_i = 0;
-  }
+  class Line : public FastLine {
+   public:
+    std::uint64_t character_clocks() const { return kByteClocks; }
+    double clocks_per_bit() const { return 1; }
+    Parity parity() const { return Parity::None; }
+  };
+
+  void idle(Top& top) { top.host_rx_i = 1; }
   void start(const Top& /*top*/) {}
-  void before(Top& top, std::uint64_t /*now*/) {
-    const ByteLine::Arrival arrival = line_.arrive();
-    top.host_rx_active_i = arrival.active;
-    top.host_rx_valid_i = arrival.valid;
-    top.host_rx_error_i = arrival.error;
-    top.host_rx_data_i = arrival.byte;
-    top.host_tx_ready_i = line_.ready();
-    top.host_tx_busy_i = line_.busy();
-  }
-  // What it offers in this clock is taken with the next edge, as the UART would.
-  void after(const Top& top, std::uint64_t /*now*/) {
-    line_.leave(top.host_tx_valid_o != 0, top.host_tx_data_o);
-  }
-  // Bytes have no rate.
+  void before(Top& top, std::uint64_t /*now*/) { top.host_rx_i = line_.level(); }
+  void after(const Top& top, std::uint64_t /*now*/) { line_.sample(top.host_tx_o != 0); }
   void fix(std::uint32_t /*baud_step*/, Parity /*parity*/) {}
-  ByteLine& line() { return line_; }
-  const ByteLine& line() const { return line_; }
+  Line& line() { return line_; }
+  const Line& line() const { return line_; }
 
  private:
-  ByteLine line_;
+  Line line_;
 };
 
 template <typename Top, typename Line>
@@ -154,7 +143,7 @@ class VerilatedController final : public SimulatedController {
   // As after configuration of the FPGA: every register anything, then the reset of the board top.
   void power_up() {
     if (top_) top_->final();
-    top_.reset();  // before its context
+    top_.reset();  // it looks into its context to the end
     context_ = std::make_unique<VerilatedContext>();
     context_->randReset(2);
     context_->randSeed(static_cast<int>(seed_++ % 0x7FFFFFFF) + 1);

@@ -26,7 +26,10 @@ namespace {
 
 // Small, as somebody who is in a hurry would have it.
 constexpr int kExchangePoints = 64;
-constexpr int kBaud = 19200;
+// What the silence between frames is made for; the line's bytes are behind the UART.
+constexpr int kBaud = 9600;
+// Of the model that is for hours (tb/controller/simulated.cmake).
+constexpr std::uint64_t kClocksPerMs = RUNG_PLANT_CLOCKS_PER_MS;
 // The plant moves when this many milliseconds are left before the next latch: its inputs have
 // passed the filter (2 samples, a millisecond apart) when it comes.
 constexpr int kLeadMs = 4;
@@ -83,6 +86,8 @@ Bench make_bench(const Plant& plant, const Program& program, const PlantRun& run
   const auto bindings = io::bind(*map, load::subject_of(compiled->image), diagnostics);
   ControllerSetup setup;
   setup.board = board->name;
+  setup.clocks_per_ms = kClocksPerMs;
+  setup.line = ControllerSetup::Line::Bytes;
   const auto clock_hz = static_cast<std::int64_t>(1000 * setup.clocks_per_ms);
   const auto words = load::make(compiled->image, bindings, clock_hz, diagnostics);
   require(words.has_value(), "no load file");

@@ -17,8 +17,8 @@ void print_head(const rung::tb::PlantRun& run, int minutes, const char* date) {
 
 Made by `make plant MINUTES={}`, {}. The controller of board `{}`, Verilated, drives each plant
 (`tb/plant`) through its pins, with the firmware on its micro-sequencer and its program started from the flash. A scan
-every {} ms; input filters of two samples a millisecond apart; at most 64 points a request; a Modbus client at
-19,200 baud asks again as soon as it is answered. In every scan all outputs are compared with the reference
+every {} ms; input filters of two samples a millisecond apart; at most 64 points a request; a Modbus client
+asks again as soon as it is answered (at the bytes of the line, 16 clocks each). In every scan all outputs are compared with the reference
 interpreter's, and the clock in which the scan begins with the period. Every reply has to be what the reference had
 after one scan between request and reply. The first difference would end the run.
 

@@ -29,7 +29,6 @@ module micro_sequencer #(
 
   localparam integer RAM_WORDS = `RUNG_MICRO_RAM_WORDS;
   localparam integer RAM_ADDR = $clog2(RAM_WORDS);
-  localparam [15:0] REGISTERS = `RUNG_MICRO_REGISTERS;
 
   // Opcodes: scripts/micro/isa.py.
   localparam [4:0] LOAD = 5'd0;
@@ -41,7 +40,7 @@ module micro_sequencer #(
   localparam [4:0] XOR = 5'd6;
   localparam [4:0] EQ = 5'd7;
   localparam [4:0] LTU = 5'd8;
-  localparam [4:0] LOADX = 5'd9;
+  localparam [4:0] LOADX = 5'd9;  // or STOREX
   localparam [4:0] LOADI = 5'd10;
   localparam [4:0] ADDI = 5'd11;
   localparam [4:0] SUBI = 5'd12;
@@ -52,20 +51,21 @@ module micro_sequencer #(
   localparam [4:0] LTUI = 5'd17;
   localparam [4:0] ORH = 5'd18;
   localparam [4:0] SHIFT = 5'd19;
-  localparam [4:0] STOREX = 5'd20;
-  localparam [4:0] IN = 5'd21;
-  localparam [4:0] OUT = 5'd22;
+  localparam [4:0] INDEX = 5'd20;  // or CLEAR
+  localparam [4:0] IN = 5'd21;  // or OUT
+  localparam [4:0] INC = 5'd22;  // or DEC
   localparam [4:0] MISC = 5'd23;
   localparam [2:0] SETX = 3'd0;
   localparam [2:0] NOT = 3'd1;
   localparam [2:0] RETURN = 3'd2;
   localparam [2:0] INX = 3'd3;
   localparam [2:0] OUTX = 3'd4;
+  localparam [2:0] TEST = 3'd5;
   localparam [1:0] JUMP = 2'd0;
   localparam [1:0] JZ = 2'd1;  // 2 is JNZ
   localparam [1:0] CALL = 2'd3;
 
-  localparam [2:0] CLEAR = 3'd0;
+  localparam [2:0] CLEARS = 3'd0;
   localparam [2:0] FETCH = 3'd1;
   localparam [2:0] DECODE = 3'd2;
   localparam [2:0] EXECUTE = 3'd3;
@@ -76,6 +76,8 @@ module micro_sequencer #(
   reg [11:0] pc_q;
   reg [15:0] acc_q;
   reg [15:0] x_q;
+  reg test_q;
+  reg tested_q;  // jumps go by test_q
   reg [3:0] shifts_q;
   reg [RAM_ADDR-1:0] clear_q;
   reg [3:0] depth_q;  // calls that have not returned, modulo 16
@@ -109,9 +111,10 @@ module micro_sequencer #(
   // ---- D: RAM and bus ------------------------------------------------------------------------------
   // The last words of RAM are where calls come back to, a ring.
   wire [15:0] ram_data;
-  wire [10:0] offset = opcode == LOADX ? acc_q[10:0] : opcode == STOREX ? x_q[10:0] : 11'd0;
-  wire [10:0] ram_addr = number + offset;
-  wire store = state_q == DECODE && !jumps && (opcode == STORE || opcode == STOREX);
+  wire [9:0] offset = opcode != LOADX ? 10'd0 : number[10] ? x_q[9:0] : acc_q[9:0];
+  wire [9:0] ram_addr = number[9:0] + offset;
+  wire clears = opcode == INDEX && number[10];
+  wire store = state_q == DECODE && !jumps && (opcode == STORE || clears || (opcode == LOADX && number[10]));
 
   bank_ram #(
       .WIDTH(16),
@@ -122,41 +125,44 @@ module micro_sequencer #(
       .read_i(state_q == DECODE),
       .read_addr_i(returns ? {{RAM_ADDR - 4{1'b1}}, depth_q - 4'd1} : ram_addr[RAM_ADDR-1:0]),
       .read_data_o(ram_data),
-      .write_i(store || calls || state_q == CLEAR),
-      .write_addr_i(state_q == CLEAR ? clear_q : calls ? {{RAM_ADDR - 4{1'b1}}, depth_q} :
+      .write_i(store || steps || calls || state_q == CLEARS),
+      .write_addr_i(state_q == CLEARS ? clear_q : calls ? {{RAM_ADDR - 4{1'b1}}, depth_q} :
                     ram_addr[RAM_ADDR-1:0]),
-      .write_data_i(state_q == CLEAR ? 16'd0 : calls ? {4'd0, next_pc} : acc_q)
+      .write_data_i(state_q == CLEARS ? 16'd0 : calls ? {4'd0, next_pc} : steps ? sum[15:0] : clears ? 16'd0 : acc_q)
   );
   wire unused_addr = &{1'b0, ram_addr};
 
-  wire bus_read = !jumps && (opcode == IN || (misc && number[2:0] == INX));
-  wire bus_write = !jumps && (opcode == OUT || (misc && number[2:0] == OUTX));
-  assign mem_addr_o = misc ? (number[2:0] == INX ? acc_q : x_q) : REGISTERS | {5'd0, number};
+  wire steps = state_q == EXECUTE && !jumps && opcode == INC;
+  wire bus_read = !jumps && ((opcode == IN && !number[10]) || (misc && number[2:0] == INX));
+  wire bus_write = !jumps && ((opcode == IN && number[10]) || (misc && number[2:0] == OUTX));
+  assign mem_addr_o = misc ? (number[2:0] == INX ? acc_q : x_q) : {6'd0, number[9:0]};
   assign mem_read_o = state_q == DECODE && bus_read;
   assign mem_write_o = state_q == DECODE && bus_write;
   assign mem_wdata_o = acc_q;
 
   // ---- E: the result ---------------------------------------------------------------------------------
-  wire immediate = opcode >= LOADI;
+  wire immediate = opcode >= LOADI && opcode != INC;
   wire [15:0] operand = immediate ? {5'd0, number} : ram_data;
   wire subtract = opcode == SUB || opcode == SUBI || opcode == LTU || opcode == LTUI;
-  wire [16:0] sum = {1'b0, acc_q} + {1'b0, operand ^ {16{subtract}}} + {16'd0, subtract};
-  wire less = !sum[16];
+  wire [15:0] left = opcode == INC ? {{15{number[10]}}, 1'b1} : acc_q;
+  wire [16:0] sum = {1'b0, left} + {1'b0, operand ^ {16{subtract}}} + {16'd0, subtract};
+  wire equal = opcode == EQ || opcode == EQI;
+  wire compare = !jumps && (equal || opcode == LTU || opcode == LTUI);
   reg [15:0] result;
 
   always @* begin
     result = acc_q;
     if (misc) begin
       if (number[2:0] == NOT) result = ~acc_q;
+      if (number[2:0] == TEST) result = {15'd0, test_q};
     end else begin
       case (opcode)
-        LOAD, LOADX, LOADI: result = operand;
-        ADD, ADDI, SUB, SUBI: result = sum[15:0];
+        LOAD, LOADI: result = operand;
+        LOADX: if (!number[10]) result = operand;
+        ADD, ADDI, SUB, SUBI, INC: result = sum[15:0];
         AND, ANDI: result = acc_q & operand;
         OR, ORI: result = acc_q | operand;
         XOR, XORI: result = acc_q ^ operand;
-        EQ, EQI: result = {15'd0, acc_q == operand};
-        LTU, LTUI: result = {15'd0, less};
         ORH: result = acc_q | {number[4:0], 11'd0};
         default: ;
       endcase
@@ -164,17 +170,21 @@ module micro_sequencer #(
   end
 
   // ---- jumps -----------------------------------------------------------------------------------------
-  wire taken = jump == JUMP || jump == CALL || (jump == JZ) == (acc_q == 16'd0);
+  wire zero = tested_q ? !test_q : acc_q == 16'd0;
+  wire always_taken = jump == JUMP || jump == CALL;
+  wire taken = always_taken || (jump == JZ) == zero;
+
   // ---- state -------------------------------------------------------------------------------------------
   always @(posedge clk_i) begin
     if (!rst_ni) begin
-      state_q <= CLEAR;
+      state_q <= CLEARS;
       clear_q <= {RAM_ADDR{1'b0}};
       pc_q <= 12'd0;
       depth_q <= 4'd0;
+      tested_q <= 1'b0;
     end else begin
       case (state_q)
-        CLEAR: begin
+        CLEARS: begin
           clear_q <= clear_q + 1'b1;
           if (&clear_q) state_q <= FETCH;
         end
@@ -182,6 +192,7 @@ module micro_sequencer #(
         DECODE: state_q <= bus_read ? BUS : EXECUTE;
         BUS: begin
           acc_q <= mem_rdata_i;
+          tested_q <= 1'b0;
           pc_q <= next_pc;
           state_q <= FETCH;
         end
@@ -191,14 +202,17 @@ module micro_sequencer #(
           if (shifts_q == 4'd1) state_q <= FETCH;
         end
         default: begin
-          pc_q <= jumps ? (taken ? instruction[11:0] : next_pc) : returns ? ram_data[11:0] : next_pc;
+          pc_q <= jumps && taken ? instruction[11:0] : returns ? ram_data[11:0] : next_pc;
           if (calls) depth_q <= depth_q + 4'd1;
           else if (returns) depth_q <= depth_q - 4'd1;
+          if (compare) test_q <= equal ? acc_q == operand : !sum[16];
+          tested_q <= compare || (tested_q && (jumps ? always_taken : returns));
           shifts_q <= number[3:0];
           state_q <= !jumps && opcode == SHIFT && number[3:0] != 4'd0 ? SHIFTS : FETCH;
           if (!jumps) begin
             acc_q <= result;
             if (misc && number[2:0] == SETX) x_q <= acc_q;
+            if (opcode == INDEX && !number[10]) x_q <= ram_data;
           end
         end
       endcase

@@ -19,19 +19,25 @@ u16 read_count;
 u16 wanted;  // find_area: the address; kind of its areas: 0 bits, 1 those of them that are coils, 2
              // words
 u16 wanted_kind;
+u16 areas_point;  // of the area looked at
 u16 point;  // the answer: its point
 u16 room;   // and how many more are in this area behind it, itself included; 0: no area has it
 
 // kind: 0 a bit area of discrete inputs, 1 of coils, 3 of words
-static void area(u16 kind, u16 first, u16 count, u16 index) {
-  first = wanted - first;
-  if (first < count && (kind & 2) == (wanted_kind & 2) && (kind & 1) >= (wanted_kind & 1)) {
-    point = index + first;
-    room = count - first;
+static void area(u16 kind, u16 first, u16 count) {
+  u16 behind;
+  behind = wanted - first;
+  if (behind < count && (kind & 2) == (wanted_kind & 2) && (kind & 1) >= (wanted_kind & 1)) {
+    point = areas_point + behind;
+    room = count - behind;
   }
+  areas_point = areas_point + count;
 }
 
-#define AREA(table, first, count, index, coils) area((table)*2 + (coils), first, count, index);
+// The areas of a table have their points one behind the other.
+#define AREA(table, first, count, index, coils) \
+  if ((index) == 0) areas_point = 0;            \
+  area((table)*2 + (coils), first, count);
 static void find_area(u16 address) {
   wanted = address;
   room = 0;
@@ -67,7 +73,7 @@ static u16 exchange_waits(void) {
   u16 start;
   start = io_read(REG(MILLISECONDS));
   while (io_read(REG(EXCHANGE_STATUS)) & 1) {
-    if (scan_state() == FAULT || milliseconds_since(start) > PATIENCE_MS) return 1;
+    if (scan_state() == FAULT || milliseconds_since(start) >= PATIENCE_MS) return 1;
   }
   return 0;
 }

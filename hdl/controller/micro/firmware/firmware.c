@@ -49,24 +49,50 @@ u16 io_read(u16 address);
 void io_write(u16 address, u16 value);
 #endif
 
-// What the program that is loaded says.
-u16 exchange_points;
-u16 latch_count;
-u16 refresh_first;
-u16 refresh_count;
-u16 unit;
-u16 policy;  // bits of the two that follow
-u16 save_seconds;
-u16 retain_id;
+// Holding registers by their numbers behind the first, those that are more than a variable left out:
+// registers.c. The upper ones are a table of their own.
+#define FIRST_HOLDING HOLDING_IDENTITY
+#define FIRST_UPPER HOLDING_LOAD_COMMAND
+u16 held[HOLDING_FORCE_LIST + HOLDING_FORCE_LIST_COUNT - FIRST_HOLDING];
+u16 upper[HOLDING_WINDOW - FIRST_UPPER];
+
+#define HELD(name) held[HOLDING_##name - FIRST_HOLDING]
+#define HELD_FROM(name, k) held[HOLDING_##name - FIRST_HOLDING + (k)]
+#define UPPER_FROM(name, k) upper[HOLDING_##name - FIRST_UPPER + (k)]
+#define frames HELD(FRAMES)
+#define exceptions HELD(EXCEPTIONS)
+#define saves HELD(SAVES)
+#define force_count HELD(FORCE_COUNT)
+#define force_list(k) HELD_FROM(FORCE_LIST, k)
+// of the program that is loaded: generation, length, CRC, low words first
+#define program(k) HELD_FROM(PROGRAM_GENERATION, k)
+#define load_state UPPER_FROM(LOAD_STATE, 0)
+#define load(k) UPPER_FROM(LOAD_LENGTH, k)  // registers load_length, load_crc
+#define window(k) UPPER_FROM(WINDOW_OFFSET, k)
+
+// What the program that is loaded says: the firmware's parts of its spaces setup and host,
+// and what `keep` says.
+#define KEEP_WORDS 68  // four words a range, and that of PERSIST
+#define HOST_SETTINGS (SETUP_EXCHANGE_POINTS + 1)
+#define KEEP_SETTINGS (HOST_SETTINGS + HOST_RETAIN_ID + 1)
+#define SETTINGS (KEEP_SETTINGS + KEEP_WORDS)
+u16 settings[SETTINGS];
+#define keep(k) settings[KEEP_SETTINGS + (k)]
+#define exchange_points settings[SETUP_EXCHANGE_POINTS]
+#define latch_count settings[SETUP_LATCH_COUNT]
+#define refresh_first settings[SETUP_REFRESH_FIRST]
+#define refresh_count settings[SETUP_REFRESH_COUNT]
+#define unit settings[HOST_SETTINGS + HOST_UNIT]
+#define policy settings[HOST_SETTINGS + HOST_POLICY]  // bits of the two that follow
+#define save_seconds settings[HOST_SETTINGS + HOST_SAVE_SECONDS]
+#define retain_id settings[HOST_SETTINGS + HOST_RETAIN_ID]
+
 u16 no_program;  // 0: there is one; else the fault that register `fault` shows
 u16 copy;        // of the flash, that runs
 
 u16 restored;      // latched devices are
 u16 save_request;  // 1 if changed, 2 in any case
 u16 job;           // stage of a commit, see program.c
-
-u16 force_list[HOLDING_FORCE_LIST_COUNT];  // as register force_list
-u16 force_count;
 
 // a is one of `count` numbers from `first` on.
 #define within(a, first, count) ((u16)((a) - (first)) < (count))
@@ -96,6 +122,7 @@ u16 was_running;
 u16 was_on;  // the RUN switch
 
 void firmware_reset(void) {
+  describe();
   flash_wake();
   boot();
   if (!(policy & STOP_AFTER_POWER_UP)) start();

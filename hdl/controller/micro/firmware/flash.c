@@ -26,6 +26,12 @@ static u16 flash_byte(u16 byte) {
   return io_read(REG(FLASH_DATA)) & 255;
 }
 
+// Only the low 8 bits of what is written are sent.
+static void flash_send(u16 word) {
+  flash_byte(word >> 8);
+  flash_byte(word);
+}
+
 static void flash_end(void) { io_write(REG(FLASH_SELECT), 0); }
 
 static void flash_begin(u16 command) {
@@ -36,8 +42,7 @@ static void flash_begin(u16 command) {
 
 static void flash_at(u16 command, u16 page, u16 byte) {
   flash_begin(command);
-  flash_byte(page >> 8);
-  flash_byte(page & 255);
+  flash_send(page);
   flash_byte(byte);
 }
 
@@ -81,14 +86,13 @@ static void flash_put(u16 word) {
     flash_wait();
     flash_write_at(write_page + 1, 0);
   }
-  flash_byte(word >> 8);
-  flash_byte(word & 255);
+  flash_send(word);
   write_byte = write_byte + 2;
 }
 
 static void crc_word(u16 word) {
   io_write(REG(CRC_BYTE), word >> 8);
-  io_write(REG(CRC_BYTE), word & 255);
+  io_write(REG(CRC_BYTE), word);
 }
 
 // A word that is part of a CRC-32: read, and written.
@@ -118,6 +122,11 @@ static u16 crc_follows(void) {
 
 // The first page of a sector of the controller's part.
 static u16 sector_page(u16 sector) { return (sector + io_read(REG(FLASH_BASE))) * SECTOR_PAGES; }
+
+// The first page of a sector of a copy.
+static u16 copy_page(u16 of_copy, u16 sector) {
+  return sector_page(of_copy * FLASH_COPY_SECTORS + sector);
+}
 
 // Power may have come back while the flash was asleep, or at work.
 static void flash_wake(void) {

@@ -9,10 +9,9 @@
 #define RELEASE 2
 #define NONE 0xFFFF
 
-u16 force_point;  // registers
-u16 force_value;
+#define force_point HELD(FORCE_POINT)
+#define force_value HELD(FORCE_VALUE)
 u16 force_wanted;   // the point that a request's force_value will mean
-u16 force_entry;    // its entry
 u16 entries_first;  // entries that count
 u16 entries_count;
 
@@ -21,8 +20,8 @@ u16 entries_count;
 static u16 find_record(u16 in_space, u16 what) {
   u16 word;
   u16 hit;
-  file[0] = program[2];
-  file[1] = program[3];
+  file(0) = program(2);
+  file(1) = program(3);
   file_start(copy);
   at_low = HEADER_WORDS;
   hit = 0;
@@ -73,7 +72,7 @@ static u16 find_entry(void) {
 static u16 find_force(u16 at_point) {
   u16 k;
   for (k = 0; k < force_count; k = k + 1) {
-    if ((force_list[k] & 0x7FFF) == at_point) break;
+    if ((force_list(k) & 0x7FFF) == at_point) break;
   }
   return k;
 }
@@ -96,20 +95,13 @@ static void force(u16 value) {
   if (value == RELEASE) {
     if (k < force_count) {
       force_count = force_count - 1;
-      force_list[k] = force_list[force_count];
+      force_list(k) = force_list(force_count);
     }
     value = 0;
   } else {
     if (k == force_count) force_count = force_count + 1;
-    force_list[k] = force_point | value << 15;
+    force_list(k) = force_point | value << 15;
     value = value | 2;
   }
   io_write(REG(FORCE_ENTRY), value << 8 | force_entry);
-}
-
-static void release_all(void) {
-  force_count = 0;
-  for (force_entry = 0; force_entry < FIRST_FORCE_ENTRIES; force_entry = force_entry + 1) {
-    io_write(REG(FORCE_ENTRY), force_entry);
-  }
 }

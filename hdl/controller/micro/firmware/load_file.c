@@ -21,8 +21,11 @@
 #define DATA 2
 #define NOTHING 3
 
-// The file being read: length and CRC as they should be, and where reading is.
-u16 file[4];
+// The file being read: its header's first words as they should be, the last of them its length; its
+// CRC; and where reading is.
+u16 file_header[10];
+#define FILE_LENGTH 6
+#define file(k) file_header[FILE_LENGTH + (k)]
 u16 file_page;
 u16 at_low;
 u16 at_high;
@@ -35,8 +38,12 @@ u16 space;
 u16 address;
 u16 address_high;
 
+// Where a word of a file is whose first page is `page`, for flash_at.
+static u16 page_of(u16 page, u16 low, u16 high) { return page + (high << 9) + (low >> 7); }
+static u16 byte_of(u16 low) { return (low & 127) << 1; }
+
 static void file_open(void) {
-  flash_at(FLASH_READ, file_page + (at_high << 9) + (at_low >> 7), (at_low & 127) << 1);
+  flash_at(FLASH_READ, page_of(file_page, at_low, at_high), byte_of(at_low));
 }
 
 static u16 file_word(void) {
@@ -45,10 +52,10 @@ static u16 file_word(void) {
   return checked_word();
 }
 
-static u16 file_ended(void) { return at_low == file[0] && at_high == file[1]; }
+static u16 file_ended(void) { return at_low == file(0) && at_high == file(1); }
 
 static void file_start(u16 of_copy) {
-  file_page = sector_page(of_copy * FLASH_COPY_SECTORS + 1);
+  file_page = copy_page(of_copy, 1);
   at_low = 0;
   at_high = 0;
 }
@@ -61,42 +68,14 @@ static void place(void) {
 }
 
 static void header_word(u16 word) {
-  u16 right;
-  right = word;
-  switch (at_low) {
-    case 1:
-      right = FILE_MAGIC;
-      break;
-    case 2:
-      right = 1;
-      break;
-    case 3:
-      right = TABLES;
-      break;
-    case 4:
-      right = io_read(REG(CONFIG_ID));
-      break;
-    case 5:
-      right = io_read(REG(BOARD_ID));
-      break;
-    case 6:
-      right = io_read(REG(MPU));
-      break;
-    case 7:
-      right = file[0];
-      break;
-    case 8:
-      right = file[1];
-      break;
-    case 9:
-      if (loading) retain_id = word;
-      break;
-    case 11:
-      chunks = word;
-      if (!within(word, 1, 8)) result = LOAD_BAD_RECORD;
-      break;
+  if (at_low <= FILE_LENGTH + 2) {
+    if (word != file_header[at_low - 1]) result = LOAD_WRONG_KIND;
+  } else if (at_low == 9) {
+    if (loading) retain_id = word;
+  } else if (at_low == 11) {
+    chunks = word;
+    if (!within(word, 1, 8)) result = LOAD_BAD_RECORD;
   }
-  if (word != right) result = LOAD_WRONG_KIND;
 }
 
 // What the firmware itself wants to know of a program.
@@ -105,49 +84,22 @@ static void note(u16 word) {
     case SPACE_PORTS:
       word = word >> 8 & 127;
       if (!address && word > FIRST_PERSIST_PORT) {
-        keep[KEEP_PERSIST] = KEEP_SAVED | KEEP_IS_WORDS;
-        keep[KEEP_PERSIST + 1] = WORD_DEVICES - word;
-        keep[KEEP_PERSIST + 2] = word - FIRST_PERSIST_PORT;
+        keep(KEEP_PERSIST) = KEEP_SAVED | KEEP_IS_WORDS;
+        keep(KEEP_PERSIST + 1) = WORD_DEVICES - word;
+        keep(KEEP_PERSIST + 2) = word - FIRST_PERSIST_PORT;
       }
       break;
     case SPACE_SETUP:
-      switch (address) {
-        case SETUP_LATCH_COUNT:
-          latch_count = word;
-          break;
-        case SETUP_REFRESH_FIRST:
-          refresh_first = word;
-          break;
-        case SETUP_REFRESH_COUNT:
-          refresh_count = word;
-          break;
-        case SETUP_EXCHANGE_POINTS:
-          exchange_points = word;
-          break;
-      }
+      if (address <= SETUP_EXCHANGE_POINTS) settings[address] = word;
       break;
     case SPACE_KEEP:
-      keep[address] = word;
+      keep(address) = word;
       break;
     case SPACE_HOST:
-      switch (address) {
-        case HOST_UNIT:
-          unit = word;
-          break;
-        case HOST_POLICY:
-          policy = word;
-          break;
-        case HOST_SAVE_SECONDS:
-          save_seconds = word;
-          break;
-        case HOST_RETAIN_ID:
-          retain_id = word;
-          break;
-        default:
-          // baud, parity and silence stand in the same order in both
-          if (within(address, HOST_BAUD_LOW, 5)) {
-            io_write(REG(LINE_BAUD_LOW) - HOST_BAUD_LOW + address, word);
-          }
+      if (address <= HOST_RETAIN_ID) settings[HOST_SETTINGS + address] = word;
+      // baud, parity and silence stand in the same order in both
+      if (within(address, HOST_BAUD_LOW, 5)) {
+        io_write(REG(LINE_BAUD_LOW) - HOST_BAUD_LOW + address, word);
       }
       break;
   }
@@ -223,7 +175,7 @@ static void check_words(u16 count) {
 }
 
 static u16 check_result(void) {
-  if (io_read(REG(CRC_LOW)) != file[2] || io_read(REG(CRC_HIGH)) != file[3]) return LOAD_WRONG_CRC;
+  if (io_read(REG(CRC_LOW)) != file(2) || io_read(REG(CRC_HIGH)) != file(3)) return LOAD_WRONG_CRC;
   if (!result && expects != NOTHING) return LOAD_BAD_RECORD;
   return result;
 }

@@ -22,7 +22,7 @@ u16 words;      // it is of words, else of bits
 u16 values_at;  // byte of the first value to write
 u16 tx_size;    // bytes of the answer so far
 
-static u16 rx(u16 at) { return io_read(MICRO_RX_FRAME + at); }
+#define rx(at) io_read(MICRO_RX_FRAME + (at))
 
 static u16 rx_word(u16 at) {
   u16 high;
@@ -51,8 +51,7 @@ static u16 bytes_of(u16 count) { return words ? count << 1 : (count + 7) >> 3; }
 static u16 parse(void) {
   u16 most_read;
   u16 most_written;
-  words = function != READ_COILS && function != READ_INPUTS && function != WRITE_COIL &&
-          function != WRITE_COILS;
+  words = 1;
   most_read = 0;
   most_written = 0;
   write_first = rx_word(2);
@@ -63,6 +62,7 @@ static u16 parse(void) {
   switch (function) {
     case READ_COILS:
     case READ_INPUTS:
+      words = 0;
       most_read = 2000;
       break;
     case READ_HOLDING:
@@ -70,11 +70,13 @@ static u16 parse(void) {
       most_read = 125;
       break;
     case WRITE_COIL:
+      words = 0;
       if (rx(5) || (rx(4) && rx(4) != 255)) return ILLEGAL_VALUE;
       break;
     case WRITE_REGISTER:
       break;
     case WRITE_COILS:
+      words = 0;
       most_written = 1968;
       values_at = 7;
       break;
@@ -121,19 +123,22 @@ static u16 written(u16 k) {
 }
 
 static u16 of_controller(u16 first, u16 count) {
-  return first >= FIRST_HOLDING && (first & 0x1FFF) + count <= HOLDING_REGISTERS;
+  return !count || (first >= FIRST_HOLDING && (first & 0x1FFF) + count <= HOLDING_REGISTERS);
 }
 
 static u16 serve_controller(void) {
   u16 k;
   u16 wrong;
   u16 really;
-  if (write_count && !of_controller(write_first, write_count)) return ILLEGAL_ADDRESS;
-  if (read_count && !of_controller(read_first, read_count)) return ILLEGAL_ADDRESS;
-  if (write_count && write_first > HOLDING_WINDOW)
-    return ILLEGAL_VALUE;  // only from its first word on
-  window_wanted[0] = window[0];
-  window_wanted[1] = window[1];
+  if (!of_controller(write_first, write_count) || !of_controller(read_first, read_count)) {
+    return ILLEGAL_ADDRESS;
+  }
+  write_first = write_first & 0x1FFF;
+  read_first = read_first & 0x1FFF;
+  // a window only from its first word on
+  if (write_count && write_first > NUMBER(WINDOW)) return ILLEGAL_VALUE;
+  window_wanted[0] = window(0);
+  window_wanted[1] = window(1);
   force_wanted = force_point;
   for (really = 0; really < 2; really = really + 1) {
     for (k = 0; k < write_count; k = k + 1) {
@@ -153,7 +158,7 @@ static u16 serve_devices(void) {
   u16 k;
   u16 control;
   u16 word;
-  control = words ? WORDS : 0;
+  control = words * WORDS;
   wanted_kind = words ? 2 : function != READ_INPUTS;
   if (write_count) {
     if (find_points(write_first, write_count)) return ILLEGAL_ADDRESS;
@@ -202,15 +207,13 @@ static u16 points_request(void) {
 
 // Objects of the device identification
 static void put_number(u16 number) {
-  if (number >= 10) {
-    u16 tens;
-    tens = 0;
-    while (number >= 10) {
-      number = number - 10;
-      tens = tens + 1;
-    }
-    put('0' + tens);
+  u16 tens;
+  tens = 0;
+  while (number >= 10) {
+    number = number - 10;
+    tens = tens + 1;
   }
+  if (tens) put('0' + tens);
   put('0' + number);
 }
 
@@ -221,23 +224,16 @@ static void put_object(u16 object) {
   put(0);
   switch (object) {
     case 0:
-      put('R');
-      put('u');
-      put('n');
-      put('g');
+      put_word('R' << 8 | 'u');
+      put_word('n' << 8 | 'g');
       break;
     case 1:  // board 1 mpu 3
-      put('b');
-      put('o');
-      put('a');
-      put('r');
-      put('d');
-      put(' ');
+      put_word('b' << 8 | 'o');
+      put_word('a' << 8 | 'r');
+      put_word('d' << 8 | ' ');
       put_number(io_read(REG(BOARD_ID)));
-      put(' ');
-      put('m');
-      put('p');
-      put('u');
+      put_word(' ' << 8 | 'm');
+      put_word('p' << 8 | 'u');
       put(' ');
       put_number(io_read(REG(MPU)));
       break;
@@ -260,8 +256,7 @@ static u16 identify(void) {
   } else if (object >= OBJECTS) {
     object = 0;
   }
-  put(14);
-  put(rx(3));
+  put_word(14 << 8 | rx(3));
   put(0x81);    // conformity: basic objects, as a stream and one by one
   put_word(0);  // nothing follows
   if (rx(3) == 4) {

@@ -16,10 +16,7 @@
 #define JOB_LOAD 3
 #define JOB_START 4
 
-u16 program[6];  // of the program that is loaded: generation, length, CRC, low words first
-u16 header[6];   // the same of the copy that was looked at last
-u16 load[4];     // registers load_length, load_crc
-u16 load_state;
+u16 header[6];  // as program(), of the copy that was looked at last
 u16 erased[FLASH_COPY_SECTORS];  // sectors of the copy being written
 
 static void fill(u16 in_space, u16 count) {
@@ -28,6 +25,15 @@ static void fill(u16 in_space, u16 count) {
   while (count) {
     io_write(REG(LOAD_DATA), 0);
     count = count - 1;
+  }
+}
+
+u16 force_entry;  // entry of the point that is forced
+
+static void release_all(void) {
+  force_count = 0;
+  for (force_entry = 0; force_entry < FIRST_FORCE_ENTRIES; force_entry = force_entry + 1) {
+    io_write(REG(FORCE_ENTRY), force_entry);
   }
 }
 
@@ -40,17 +46,11 @@ static void clear_all(void) {
   fill(SPACE_PORTS, 3);
   fill(SPACE_BIT_MAP, BIT_POINTS);
   fill(SPACE_WORD_MAP, WORD_POINTS);
-  fill(SPACE_SETUP, SETUP_OUTPUT + SETUP_OUTPUT_COUNT);
-  for (n = 0; n < FIRST_FORCE_ENTRIES; n = n + 1) io_write(REG(FORCE_ENTRY), n);
-  for (n = 0; n < KEEP_WORDS; n = n + 1) keep[n] = 0;
-  for (n = 0; n < 6; n = n + 1) program[n] = 0;
-  force_count = 0;
-  exchange_points = 0;
-  latch_count = 0;
-  refresh_count = 0;
+  fill(SPACE_SETUP, SETUP_OUTPUT); // outputs stay: a load file sets them all
+  release_all();
+  for (n = 0; n < SETTINGS; n = n + 1) settings[n] = 0;
+  for (n = 0; n < 6; n = n + 1) program(n) = 0;
   unit = 1;
-  policy = 0;
-  save_seconds = 0;
   slot_units = 0;
   restored = 0;
   io_write(REG(KEEP_DONE), 0);
@@ -64,7 +64,7 @@ static void stop(void) {
   while (!(io_read(REG(SCAN_STATUS)) & SCAN_IDLE)) {
     if (scan_state() == FAULT) {
       io_write(REG(SCAN_COMMAND), SCAN_LEAVE_FAULT);
-    } else if (milliseconds_since(start_at) > PATIENCE_MS) {
+    } else if (milliseconds_since(start_at) >= PATIENCE_MS) {
       io_write(REG(FAULT_SET), 0);
     }
   }
@@ -81,11 +81,11 @@ static void start(void) {
 static void clear_devices(u16 is_words, u16 count) {
   u16 device;
   u16 k;
-  io_write(REG(LOAD_SPACE), is_words ? SPACE_WORDS : SPACE_BITS);
+  io_write(REG(LOAD_SPACE), SPACE_BITS + is_words);
   device = 0;
   while (device < count) {
     for (k = 0; k < KEEP_WORDS; k = k + 4) {
-      if ((keep[k] & KEEP_IS_WORDS) == is_words && within(device, keep[k + 1], keep[k + 2])) break;
+      if ((keep(k) & KEEP_IS_WORDS) == is_words && within(device, keep(k + 1), keep(k + 2))) break;
     }
     if (k == KEEP_WORDS) {
       io_write(REG(LOAD_ADDRESS), device);
@@ -95,9 +95,8 @@ static void clear_devices(u16 is_words, u16 count) {
   }
 }
 
-// STOP to RUN
+// STOP to RUN. Without a program the devices are 0 already, and start() does nothing.
 static void run(void) {
-  if (no_program) return;
   clear_devices(0, BIT_DEVICES);
   clear_devices(1, WORD_DEVICES);
   start();
@@ -112,7 +111,7 @@ static u16 length_fits(u16 low, u16 high) {
 static u16 read_header(u16 of_copy) {
   u16 n;
   io_write(REG(CRC_CLEAR), 0);
-  flash_at(FLASH_READ, sector_page(of_copy * FLASH_COPY_SECTORS), 0);
+  flash_at(FLASH_READ, copy_page(of_copy, 0), 0);
   if (checked_word() != HEADER_MAGIC) return 0;
   for (n = 0; n < 6; n = n + 1) header[n] = checked_word();
   return crc_follows() && length_fits(header[2], header[3]);
@@ -135,7 +134,7 @@ static u16 load_file(u16 of_copy) {
 // The program whose header was just read is the one that is loaded.
 static void adopt_header(void) {
   u16 n;
-  for (n = 0; n < 6; n = n + 1) program[n] = header[n];
+  for (n = 0; n < 6; n = n + 1) program(n) = header[n];
   no_program = 0;
 }
 
@@ -158,7 +157,7 @@ static void boot(void) {
   for (n = 0; n < 2; n = n + 1) {
     if (read_header(first ^ n)) {
       why = NOT_LOADABLE;
-      for (low = 0; low < 4; low = low + 1) file[low] = header[low + 2];
+      for (low = 0; low < 4; low = low + 1) file(low) = header[low + 2];
       if (!check_file(first ^ n, 0) && !load_file(first ^ n)) {
         adopt_header();
         restore();
@@ -187,11 +186,11 @@ static u16 write_header(u16 of_copy) {
   low = low + 1;
   if (!low) high = high + 1;
   io_write(REG(CRC_CLEAR), 0);
-  flash_write_at(sector_page(of_copy * FLASH_COPY_SECTORS), 0);
+  flash_write_at(copy_page(of_copy, 0), 0);
   flash_put_checked(HEADER_MAGIC);
   flash_put_checked(low);
   flash_put_checked(high);
-  for (n = 0; n < 4; n = n + 1) flash_put_checked(file[n]);
+  for (n = 0; n < 4; n = n + 1) flash_put_checked(file(n));
   flash_put_crc();
   return !read_header(of_copy) || header[0] != low || header[1] != high;
 }
@@ -215,14 +214,14 @@ static void begin_load(void) {
   u16 n;
   flash_failed = 0;
   load_state = LOAD_UNDER_WAY;
-  flash_erase(sector_page((copy ^ 1) * FLASH_COPY_SECTORS));
+  flash_erase(copy_page(copy ^ 1, 0));
   for (n = 0; n < FLASH_COPY_SECTORS; n = n + 1) erased[n] = 0;
   if (flash_failed) load_failed(LOAD_FLASH_ERROR);
 }
 
 static void begin_commit(void) {
   u16 n;
-  for (n = 0; n < 4; n = n + 1) file[n] = load[n];
+  for (n = 0; n < 4; n = n + 1) file(n) = load(n);
   check_start(copy ^ 1, 0);
   job = JOB_CHECK;
 }

@@ -3,7 +3,6 @@
 // have read 0 and cannot be written. Writes of a request are all checked before the first takes
 // effect.
 
-#define FIRST_HOLDING HOLDING_IDENTITY
 #define HOLDING_REGISTERS (HOLDING_WINDOW + HOLDING_WINDOW_COUNT - FIRST_HOLDING)
 
 // register command
@@ -21,25 +20,40 @@
 #define LOAD_COMMIT 2
 #define LOAD_ABORT 3
 
-u16 command;
-u16 load_command;
-u16 window[2];         // register window_offset
-u16 window_wanted[2];  // what it will be when the request is carried out
-u16 frames;
-u16 exceptions;
+u16 window_wanted[2];  // what window() will be when the request is carried out
+
+// Numbers of registers behind the first
+#define NUMBER(name) (HOLDING_##name - FIRST_HOLDING)
+#define LOWER NUMBER(FORCE_LIST)
+
+// What never changes: registers, and what a load file has to say of its kind.
+static void describe(void) {
+  HELD(IDENTITY) = 0x5247;
+  file_header[0] = FILE_MAGIC;
+  HELD(INTERFACE) = 1;
+  file_header[1] = 1;
+  HELD(TABLES) = TABLES;
+  file_header[2] = HELD(TABLES);
+  HELD(CONFIG) = io_read(REG(CONFIG_ID));
+  file_header[3] = HELD(CONFIG);
+  HELD(BOARD) = io_read(REG(BOARD_ID));
+  file_header[4] = HELD(BOARD);
+  HELD(MPU) = io_read(REG(MPU));
+  file_header[5] = HELD(MPU);
+}
 
 // A word of the running program's file: n of the window. The first of a request sets out to read
 // there.
 static u16 window_word(u16 n, u16 first) {
   u16 low;
   u16 high;
-  low = window[0] + n;
-  high = window[1];
+  low = window(0) + n;
+  high = window(1);
   if (low < n) high = high + 1;
-  if (high > program[3] || (high == program[3] && low >= program[2])) return 0;
+  if (high > program(3) || (high == program(3) && low >= program(2))) return 0;
   if (first) {
-    file_start(copy);
-    flash_at(FLASH_READ, file_page + (high << 9) + (low >> 7), (low & 127) << 1);
+    // A commit may be checking the other copy: its place stays as it is.
+    flash_at(FLASH_READ, page_of(copy_page(copy, 1), low, high), byte_of(low));
   }
   return flash_word();
 }
@@ -51,62 +65,36 @@ static u16 flags(void) {
          restored << 3 | (status >> 1 & 16) | copy << 5;
 }
 
-// first: the request's reading begins here.
+// A register by its number; first: the request's reading begins here.
 static u16 holding_read(u16 at, u16 first) {
-  if (at >= HOLDING_WINDOW) return window_word(at - HOLDING_WINDOW, first || at == HOLDING_WINDOW);
-  if (at >= HOLDING_WINDOW_OFFSET) return window[at - HOLDING_WINDOW_OFFSET];
-  if (within(at, HOLDING_LOAD_LENGTH, 4)) return load[at - HOLDING_LOAD_LENGTH];
-  if (within(at, HOLDING_FORCE_LIST, MOST_FORCES)) {
-    at = at - HOLDING_FORCE_LIST;
-    return at < force_count ? force_list[at] : NO_FORCE;
+  if (at >= NUMBER(WINDOW)) return window_word(at - NUMBER(WINDOW), first || at == NUMBER(WINDOW));
+  if (at >= NUMBER(LOAD_COMMAND)) return upper[at - NUMBER(LOAD_COMMAND)];
+  if (at >= LOWER) {
+    if (at - LOWER >= MOST_FORCES) return 0;
+    return at - LOWER < force_count ? held[at] : NO_FORCE;
   }
   // Registers that stand in the same order on both sides
-  if (within(at, HOLDING_INPUTS, 8)) return io_read(REG(INPUTS) - HOLDING_INPUTS + at);
-  if (within(at, HOLDING_PROGRAM_GENERATION, 6)) return program[at - HOLDING_PROGRAM_GENERATION];
-  if (within(at, HOLDING_BAD_FRAMES, 3))
-    return io_read(REG(LINE_BAD_CRC) - HOLDING_BAD_FRAMES + at);
-  if (within(at, HOLDING_BOARD, 3)) return io_read(REG(BOARD_ID) - HOLDING_BOARD + at);
-  if (within(at, HOLDING_SCAN_COUNT, 9)) {
-    at = REG(SCAN_COUNT_LOW) - HOLDING_SCAN_COUNT + at;
+  if (within(at, NUMBER(INPUTS), 8)) return io_read(REG(INPUTS) - NUMBER(INPUTS) + at);
+  if (within(at, NUMBER(BAD_FRAMES), 3)) {
+    return io_read(REG(LINE_BAD_CRC) - NUMBER(BAD_FRAMES) + at);
+  }
+  if (within(at, NUMBER(SCAN_COUNT), 9)) {
+    at = REG(SCAN_COUNT_LOW) - NUMBER(SCAN_COUNT) + at;
     // A high word is that of the low word read before it.
     if (first) io_read(at & 0xFFFE);
     return io_read(at);
   }
   switch (at) {
-    case HOLDING_IDENTITY:
-      return 0x5247;
-    case HOLDING_INTERFACE:
-      return 1;
-    case HOLDING_TABLES:
-      return TABLES;
-    case HOLDING_COMMAND:
-      return command;
-    case HOLDING_STATE:
+    case NUMBER(STATE):
       return no_program ? 4 : scan_state();
-    case HOLDING_FAULT:
+    case NUMBER(FAULT):
       return no_program ? no_program : io_read(REG(SCAN_STATUS)) >> 8;
-    case HOLDING_FLAGS:
+    case NUMBER(FLAGS):
       return flags();
-    case HOLDING_EXCHANGE_POINTS:
+    case NUMBER(EXCHANGE_POINTS):
       return exchange_points;
-    case HOLDING_FRAMES:
-      return frames;
-    case HOLDING_EXCEPTIONS:
-      return exceptions;
-    case HOLDING_SAVES:
-      return saves;
-    case HOLDING_FORCE_COUNT:
-      return force_count;
-    case HOLDING_FORCE_POINT:
-      return force_point;
-    case HOLDING_FORCE_VALUE:
-      return force_value;
-    case HOLDING_LOAD_COMMAND:
-      return load_command;
-    case HOLDING_LOAD_STATE:
-      return load_state;
   }
-  return 0;
+  return held[at];
 }
 
 static u16 check_command(u16 value) {
@@ -133,7 +121,7 @@ static u16 check_command(u16 value) {
 }
 
 static void do_command(u16 value) {
-  command = value;
+  HELD(COMMAND) = value;
   switch (value) {
     case COMMAND_RUN:
       // One scan may be under way: it ends first.
@@ -170,12 +158,12 @@ static void do_command(u16 value) {
 static u16 check_load(u16 value) {
   if (!within(value, 1, 3)) return ILLEGAL_VALUE;
   if (job || (value == LOAD_COMMIT && load_state != LOAD_UNDER_WAY)) return FAILURE;
-  if (value != LOAD_ABORT && !length_fits(load[0], load[1])) return ILLEGAL_VALUE;
+  if (value != LOAD_ABORT && !length_fits(load(0), load(1))) return ILLEGAL_VALUE;
   return 0;
 }
 
 static u16 do_load(u16 value) {
-  load_command = value;
+  UPPER_FROM(LOAD_COMMAND, 0) = value;
   switch (value) {
     case LOAD_BEGIN:
       begin_load();
@@ -195,38 +183,37 @@ static u16 window_size(void) {
   u16 page;
   u16 pages;
   if (window_wanted[0] & (HOLDING_WINDOW_COUNT - 1) || window_wanted[1] > 1 ||
-      !length_fits(load[0], load[1])) {
+      !length_fits(load(0), load(1))) {
     return 0;
   }
   page = window_wanted[1] << 10 | window_wanted[0] >> 6;
-  pages = load[1] << 10 | load[0] >> 6;
+  pages = load(1) << 10 | load(0) >> 6;
   if (page < pages) return HOLDING_WINDOW_COUNT;
-  return page == pages ? load[0] & (HOLDING_WINDOW_COUNT - 1) : 0;
+  return page == pages ? load(0) & (HOLDING_WINDOW_COUNT - 1) : 0;
 }
 
 // The sector that the window lies in is erased when the first window of it comes.
 static void window_begin(void) {
   u16 sector;
   flash_failed = 0;
-  sector = (window[1] << 5 | window[0] >> 11) + 1;
+  sector = (window(1) << 5 | window(0) >> 11) + 1;
   if (!erased[sector]) {
-    flash_erase(sector_page((copy ^ 1) * FLASH_COPY_SECTORS + sector));
+    flash_erase(copy_page(copy ^ 1, sector));
     erased[sector] = 1;
   }
-  file_start(copy ^ 1);
-  flash_write_at(file_page + (window[1] << 9) + (window[0] >> 7), (window[0] & 127) << 1);
+  flash_write_at(page_of(copy_page(copy ^ 1, 1), window(0), window(1)), byte_of(window(0)));
 }
 
 // Checks a write, or `really` carries out what was checked; `count` registers are written from this
 // one on. 0 or an exception.
 static u16 holding_write(u16 really, u16 at, u16 value, u16 count) {
-  if (at >= HOLDING_WINDOW) {
+  if (at >= NUMBER(WINDOW)) {
     if (!really) {
       if (job || load_state != LOAD_UNDER_WAY) return FAILURE;
       // The words behind the first belong to it.
-      return at > HOLDING_WINDOW || count == window_size() ? 0 : ILLEGAL_VALUE;
+      return at > NUMBER(WINDOW) || count == window_size() ? 0 : ILLEGAL_VALUE;
     }
-    if (at == HOLDING_WINDOW) window_begin();
+    if (at == NUMBER(WINDOW)) window_begin();
     flash_put(value);
     if (count == 1) {
       flash_wait();
@@ -237,32 +224,32 @@ static u16 holding_write(u16 really, u16 at, u16 value, u16 count) {
     }
     return 0;
   }
-  if (at >= HOLDING_WINDOW_OFFSET) {
-    at = at - HOLDING_WINDOW_OFFSET;
+  if (at >= NUMBER(WINDOW_OFFSET)) {
+    at = at - NUMBER(WINDOW_OFFSET);
     window_wanted[at] = value;
-    if (really) window[at] = value;
+    if (really) window(at) = value;
     return 0;
   }
-  if (within(at, HOLDING_LOAD_LENGTH, 4)) {
+  if (within(at, NUMBER(LOAD_LENGTH), 4)) {
     if (job) return FAILURE;
-    if (really) load[at - HOLDING_LOAD_LENGTH] = value;
+    if (really) load(at - NUMBER(LOAD_LENGTH)) = value;
     return 0;
   }
   switch (at) {
-    case HOLDING_COMMAND:
+    case NUMBER(COMMAND):
       if (!really) return check_command(value);
       do_command(value);
       return 0;
-    case HOLDING_FORCE_POINT:
+    case NUMBER(FORCE_POINT):
       force_wanted = value;
       if (really) force_point = value;
       return 0;
-    case HOLDING_FORCE_VALUE:
+    case NUMBER(FORCE_VALUE):
       if (!really) return check_force(value);
       force_value = value;
       force(value);
       return 0;
-    case HOLDING_LOAD_COMMAND:
+    case NUMBER(LOAD_COMMAND):
       if (!really) return check_load(value);
       return do_load(value);
   }

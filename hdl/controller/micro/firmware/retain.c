@@ -10,7 +10,6 @@
 // power cut is none. The ring is counted in units of 64 bytes.
 
 #define KEEP_RANGES 16
-#define KEEP_WORDS 68  // four words a range, and that of PERSIST
 #define KEEP_PERSIST 64
 #define KEEP_IS_WORDS 1
 #define KEEP_SAVED 2
@@ -27,13 +26,16 @@
 // Most points of one raw exchange: what goes into the buffer as words.
 #define MOST_RAW 128
 
+#if SPACE_WORDS != SPACE_BITS + 1
+#error "spaces of words are told from those of bits by one bit more"
+#endif
+
 // values(): what to do with them
 #define SUM 0
 #define SAVE 1
 #define RESTORE 2
 #define CLEAR 3
 
-u16 keep[KEEP_WORDS];
 u16 value_count;  // words saved
 u16 slot_units;   // size of a slot; 0: nothing is saved
 u16 next_unit;    // where the next record goes
@@ -46,7 +48,6 @@ u16 record_low;  // of the record that was read last: its sequence, and the CRC 
 u16 record_high;
 u16 values_low;
 u16 values_high;
-u16 saves;
 u16 save_pause;  // seconds until a PERSIST value that could not be saved is tried again
 
 // Sizes from the ranges. What would be more than a sector is not saved: ranges that do not overlap
@@ -57,10 +58,10 @@ static void lay_out(void) {
   value_count = 0;
   slot_units = 0;
   for (k = 0; k < KEEP_WORDS; k = k + 4) {
-    if (keep[k + 2] > MOST_KEPT) return;
-    if (keep[k] & KEEP_SAVED) {
+    if (keep(k + 2) > MOST_KEPT) return;
+    if (keep(k) & KEEP_SAVED) {
       value_count =
-          value_count + ((keep[k] & KEEP_IS_WORDS) ? keep[k + 2] : (keep[k + 2] + 15) >> 4);
+          value_count + ((keep(k) & KEEP_IS_WORDS) ? keep(k + 2) : (keep(k + 2) + 15) >> 4);
     }
   }
   // Bits are read 16 at a time.
@@ -82,12 +83,12 @@ static u16 values(u16 what) {
   u16 from;
   u16 word;
   for (k = 0; k < KEEP_WORDS; k = k + 4) {
-    is_words = keep[k] & KEEP_IS_WORDS;
-    read_first = keep[k + 1];
-    left = keep[k + 2];
-    if (what != CLEAR && !(keep[k] & KEEP_SAVED)) continue;
+    is_words = keep(k) & KEEP_IS_WORDS;
+    read_first = keep(k + 1);
+    left = keep(k + 2);
+    if (what != CLEAR && !(keep(k) & KEEP_SAVED)) continue;
     if (what >= RESTORE) {
-      io_write(REG(LOAD_SPACE), is_words ? SPACE_WORDS : SPACE_BITS);
+      io_write(REG(LOAD_SPACE), SPACE_BITS + is_words);
       io_write(REG(LOAD_ADDRESS), read_first);
     }
     have = 0;
@@ -108,7 +109,7 @@ static u16 values(u16 what) {
           if (have > MOST_RAW) have = MOST_RAW;
           if (have > left + count) have = left + count;
           read_count = have;
-          if (exchange(is_words ? READ + RAW + WORDS : READ + RAW)) return 1;
+          if (exchange(READ + RAW + is_words * WORDS)) return 1;
           read_first = read_first + have;
           if (!is_words) have = (have + 15) >> 4;
           from = EXCHANGE_READ;

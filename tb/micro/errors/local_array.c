@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
+typedef unsigned short u16;
+u16 io_read(u16 address);
+void io_write(u16 address, u16 value);
+void firmware_reset(void) {}
+void firmware_poll(void) {
+  u16 k[4];  // error: u16
+  k[1] = 1;
+}

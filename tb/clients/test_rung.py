@@ -31,7 +31,7 @@ class Case(unittest.TestCase):
         self.scratch = Path(self.enterContext(tempfile.TemporaryDirectory(prefix="rung-clients-")))
 
     def rung(self, device: Device, command: str, *arguments: str, code: int = 0) -> str:
-        patience = [] if "--timeout" in arguments else ["--timeout", "100000"]
+        patience = [] if "--timeout" in arguments else ["--timeout", "10000"]
         done = run([RUNG, command, *arguments, "--port", device.link, *patience], seconds=120)
         self.assertEqual(done.returncode, code, done.stdout + done.stderr)
         return done.stdout + done.stderr
@@ -115,7 +115,8 @@ class Story(Case):
                 self.lose_power(device, client)
             with self.subTest("a second program, unit, baud rate and parity while the first one runs"):
                 self.assertTrue(self.client(device).scans())
-                self.assertIn("running", self.rung(device, "load", PRESS, "--io", PRESS_MAP, *CLOCK))
+                self.assertIn("running", self.rung(device, "load", PRESS, "--io", PRESS_MAP, "--unit", "1",
+                                                   *CLOCK))
                 self.check_press(device)
                 self.assertIn("board simulated", self.rung(device, "info", "--unit", "5", "--baud", "9600",
                                                            "--parity", "none"))
@@ -149,7 +150,7 @@ class Story(Case):
 
     def test_wrong_board_is_refused(self) -> None:
         with Device(SMALL, "--io", HX8K_MAP) as device:
-            text = self.rung(device, "load", PRESS, "--io", PRESS_MAP, *CLOCK, code=1)
+            text = self.rung(device, "load", PRESS, "--io", PRESS_MAP, "--unit", "1", *CLOCK, code=1)
             self.assertIn("error", text)
             eventually(self, self.client(device).scans)
 
@@ -222,7 +223,7 @@ class Commands(Case):
         self.device.wait_for("out1=1", since)  # Y1's safe state, by the map
         self.device.wait_for("RUN=0", since)
         since = len(self.device.lines)
-        self.assertIn("running", self.rung(self.device, "control", "run"))
+        self.assertIn("running", self.rung(self.device, "control", "run", "--timeout", "100000"))
         self.device.wait_for("RUN=1", since)
         self.device.wait_for("out1=0", since)
 

@@ -20,21 +20,21 @@ from pathlib import Path
 from typing import Any
 
 ROOT = Path(__file__).resolve().parent.parent
-PROGRAM = ROOT / "build" / "bin" / "reliability"
 REAL_HZ = 25_000_000
 # What GoogleTest says of every test.
 OWN = {"name", "file", "line", "status", "result", "timestamp", "time", "classname", "value_param", "failures",
        "date", "commit", "seed"}
 
 
-def run(shard: int, shards: int, seed: int, only: str) -> list[dict[str, Any]]:
+def run(shard: int, options: argparse.Namespace) -> list[dict[str, Any]]:
     out = ROOT / "build" / "logs" / f"reliability-{shard}.json"
     out.parent.mkdir(parents=True, exist_ok=True)
-    environment = os.environ | {"RUNG_RELIABILITY": "full", "RUNG_SEED": str(seed),
-                                "GTEST_TOTAL_SHARDS": str(shards), "GTEST_SHARD_INDEX": str(shard)}
+    environment = os.environ | {"RUNG_RELIABILITY": "" if options.sample else "full",
+                                "RUNG_SEED": str(options.seed), "GTEST_TOTAL_SHARDS": str(options.jobs),
+                                "GTEST_SHARD_INDEX": str(shard)}
     with out.with_suffix(".log").open("w") as log:
-        subprocess.run([str(PROGRAM), f"--gtest_output=json:{out}", f"--gtest_filter={only}"], env=environment, stdout=log,
-                       stderr=log, check=False)
+        subprocess.run([options.program, f"--gtest_output=json:{out}", f"--gtest_filter={options.filter}"],
+                       env=environment, stdout=log, stderr=log, check=False)
     suites = json.loads(out.read_text())["testsuites"]
     return [test for suite in suites for test in suite["testsuite"] if test["status"] == "RUN"]
 
@@ -89,9 +89,11 @@ def main() -> int:
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--filter", default="*", help="of GoogleTest: run these tests only")
+    parser.add_argument("--sample", action="store_true", help="the counts of `make test` only")
+    parser.add_argument("--program", default=str(ROOT / "build" / "bin" / "reliability"))
     options = parser.parse_args()
     with ThreadPoolExecutor(options.jobs) as pool:
-        shards = pool.map(lambda n: run(n, options.jobs, options.seed, options.filter), range(options.jobs))
+        shards = pool.map(lambda n: run(n, options), range(options.jobs))
         ran = [test for shard in shards for test in shard]
     failed = [f"{test['classname']}.{test['name']}" for test in ran if "failures" in test]
     if failed or not ran:
@@ -106,7 +108,8 @@ def main() -> int:
         kept = {key: test[key] for key in test if key not in OWN - {"name", "classname", "time"}}
         tests[test["classname"], test["name"]] = kept | {
             "date": datetime.date.today().isoformat(), "commit": commit, "seed": options.seed}
-    command = f"python3 scripts/reliability.py --jobs {options.jobs}"
+    command = (f"python3 scripts/reliability.py --jobs {options.jobs}"
+               f"{' --sample: the counts of `make test`, not the full ones' if options.sample else ''}")
     everything = [tests[key] for key in sorted(tests, key=lambda key: key[0])]
     record.write_text(json.dumps({"command": command, "tests": everything}, indent=1) + "\n", encoding="utf-8")
     write(everything, command)

@@ -32,7 +32,7 @@ from random_program import random_program  # noqa: E402
 
 MICRO = tomllib.loads((ROOT / "hdl" / "isa" / "controller.toml").read_text())["micro"]
 EVENTS, POLLS = 600, 4
-MOST_CLOCKS = 3_000_000
+MOST_CLOCKS = 30_000_000  # random answers of the bus can send the firmware through loops of 65,536
 FIRMWARE = ROOT / "hdl" / "controller" / "micro" / "firmware" / "firmware.c"
 
 

@@ -2,7 +2,6 @@
 # rung_controller_models: the controller of two boards, Verilated for speed and without sanitizers, built
 # once for `rung device` and the tests. rung_simulated_controller: the bench around it.
 set(RUNG_CLOCKS_PER_MS 250)  # of a simulated millisecond
-set(RUNG_PLANT_CLOCKS_PER_MS 80)  # where hours are simulated (tb/plant)
 file(GLOB controller_sources CONFIGURE_DEPENDS
   ${RUNG_ROOT}/hdl/controller/*.v ${RUNG_ROOT}/hdl/controller/micro/*.v
   ${RUNG_ROOT}/hdl/core/*.v ${RUNG_ROOT}/hdl/peripherals/*.v ${RUNG_ROOT}/hdl/*.v)

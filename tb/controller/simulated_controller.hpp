@@ -29,7 +29,7 @@ struct ControllerSetup {
   // Of what registers and memories hold at power-up, and of what a power cut leaves in the flash.
   std::uint64_t seed = 1;
   // Times of the flash; none: those of a W25Q in simulated milliseconds.
-  std::optional<FlashTimes> flash_times;
+  std::optional<FlashTimes> flash_times = {};
 };
 
 class SimulatedController : public device::BenchMachine {

@@ -118,7 +118,6 @@ TEST(SimulatedLine, AnotherRateOrParity) {
 TEST(SimulatedSetup, WhatIsNotSimulated) {
   EXPECT_THROW(SimulatedController::make({.board = "ulx3s"}), std::runtime_error);
   EXPECT_THROW(SimulatedController::make({.board = "no"}), std::runtime_error);
-  EXPECT_THROW(SimulatedController::make({.line = Line::Bytes}), std::runtime_error);
   EXPECT_THROW(SimulatedController::make({.clocks_per_ms = 7}), std::runtime_error);
 }
 

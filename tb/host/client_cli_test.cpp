@@ -216,8 +216,8 @@ TEST_F(ClientCli, CompileTellsBoundsAndBindings) {
           "\"edge_to_edge_most_clocks\":"});
   expect(rung("run " + program + " --io " + map), 0, {"equal to the reference"});
   expect(rung("run " + program + " --mpu reference --io " +
-              file("bad.toml", "board = \"hx8k\"\n[inputs]\nX0 = \"t2\"\n")),
-         1, {"bad.toml:3:6: error: t2: board hx8k has no input pin"});
+              file("bad.toml", "board = \"hx8k\"\n[inputs]\nX0 = \"t4\"\n")),
+         1, {"bad.toml:3:6: error: t4: board hx8k has no input pin"});
 }
 
 }  // namespace

@@ -95,7 +95,7 @@ Y1 = { pin = "gn2", safe = "hold", invert = true }
 [analog]
 D10 = "adc2"
 [pwm]
-D200 = { pin = "gn14", hz = 500 }
+D200 = { pin = "gp18", hz = 500 }
 )";
 
 TEST(IoMap, AllThatAMapMaySay) {
@@ -112,13 +112,13 @@ TEST(IoMap, AllThatAMapMaySay) {
   EXPECT_EQ(settings.baud, 115200);
   EXPECT_EQ(settings.parity, io::Parity::None);
   ASSERT_EQ(got.bindings.inputs.size(), 2U);
-  EXPECT_EQ(got.bindings.inputs[1].pin, 13);  // btn1..6, sw0..3, gp0..13
+  EXPECT_EQ(got.bindings.inputs[1].pin, 12);  // btn1..6, sw1..3, gp0..13
   EXPECT_EQ(got.bindings.inputs[1].filter, 4);
   EXPECT_TRUE(got.bindings.inputs[1].invert);
   ASSERT_EQ(got.bindings.outputs.size(), 2U);
   EXPECT_EQ(got.bindings.outputs[0].safe, io::Safe::High);
   EXPECT_EQ(got.bindings.outputs[1].safe, io::Safe::Hold);
-  EXPECT_EQ(got.bindings.outputs[1].pin, 10);
+  EXPECT_EQ(got.bindings.outputs[1].pin, 6);
   ASSERT_EQ(got.bindings.analog.size(), 1U);
   EXPECT_EQ(got.bindings.analog[0].channel, 2);
   ASSERT_TRUE(got.bindings.pwm);
@@ -148,11 +148,11 @@ constexpr BadMap kBadMaps[] = {
      "m.toml:3:6: error: btn11: board ulx3s has no input pin of this name\n    did you mean btn1?"},
     {"board = \"ulx3s\"\n[inputs]\nX0 = \"led0\"\n",
      "m.toml:3:6: error: led0: this is no input pin of board ulx3s but one of its output pins"},
-    {"board = \"ulx3s\"\n[inputs]\nX1 = \"sw0\"\nX0 = \"sw0\"\n",
-     "m.toml:4:6: error: sw0: the pin is used in line 3 already"},
-    {"board = \"ulx3s\"\n[inputs]\nX0 = \"sw0\"\nX000 = \"sw1\"\n",
+    {"board = \"ulx3s\"\n[inputs]\nX1 = \"sw1\"\nX0 = \"sw1\"\n",
+     "m.toml:4:6: error: sw1: the pin is used in line 3 already"},
+    {"board = \"ulx3s\"\n[inputs]\nX0 = \"sw1\"\nX000 = \"sw2\"\n",
      "m.toml:4:1: error: X000: this device is bound in line 3 already as X0"},
-    {"board = \"ulx3s\"\n[inputs]\nY0 = \"sw0\"\n",
+    {"board = \"ulx3s\"\n[inputs]\nY0 = \"sw1\"\n",
      "m.toml:3:1: error: Y0: an output cannot be bound to an input pin\n    put the line under "
      "[outputs]"},
     {"board = \"ulx3s\"\n[outputs]\nX0 = \"led0\"\n",
@@ -160,19 +160,19 @@ constexpr BadMap kBadMaps[] = {
      "[inputs]"},
     {"board = \"ulx3s\"\n[outputs]\nM600 = \"led0\"\n",
      "m.toml:3:1: error: M600: what is no output (Y) cannot be bound"},
-    {"board = \"ulx3s\"\n[inputs]\nX8 = \"sw0\"\n",
+    {"board = \"ulx3s\"\n[inputs]\nX8 = \"sw1\"\n",
      "m.toml:3:1: error: X8: this is neither a device of dialect fx nor a name"},
-    {"board = \"ulx3s\"\n[inputs]\nX7 = \"sw0\"\n",
+    {"board = \"ulx3s\"\n[inputs]\nX7 = \"sw1\"\n",
      "m.toml:3:1: warning: X7: the program does not name this device; the pin is not read"},
     {"board = \"ulx3s\"\n[inputs]\nX0 = 3\n", "m.toml:3:1: error: X0: this does not say which pin"},
     {"board = \"ulx3s\"\n[inputs]\nX0 = { filter = 3 }\n",
      "m.toml:3:1: error: X0: this does not say which pin"},
-    {"board = \"ulx3s\"\n[inputs]\nX0 = { pin = \"sw0\", filter = 16 }\n",
+    {"board = \"ulx3s\"\n[inputs]\nX0 = { pin = \"sw1\", filter = 16 }\n",
      "m.toml:3:21: error: filter: this is no whole number in its range\n    write a number from 0 "
      "to 15"},
-    {"board = \"ulx3s\"\n[inputs]\nX0 = { pin = \"sw0\", invert = 1 }\n",
+    {"board = \"ulx3s\"\n[inputs]\nX0 = { pin = \"sw1\", invert = 1 }\n",
      "m.toml:3:21: error: invert: this is neither true nor false"},
-    {"board = \"ulx3s\"\n[inputs]\nX0 = { pin = \"sw0\", fitler = 1 }\n",
+    {"board = \"ulx3s\"\n[inputs]\nX0 = { pin = \"sw1\", fitler = 1 }\n",
      "m.toml:3:21: error: fitler: X0 does not have this key\n    did you mean filter?"},
     {"board = \"ulx3s\"\n[outputs]\nY0 = { pin = \"led0\", safe = 2 }\n",
      "m.toml:3:22: error: safe: this is no state of an output"},
@@ -185,12 +185,12 @@ constexpr BadMap kBadMaps[] = {
     {"board = \"ulx3s\"\n[pwm]\nD10 = \"gn0\"\n",
      "m.toml:3:7: error: gn0: this is no PWM output of board ulx3s but one of its plain output "
      "pins"},
-    {"board = \"ulx3s\"\n[pwm]\nD10 = { pin = \"gn14\", hz = 0 }\n",
+    {"board = \"ulx3s\"\n[pwm]\nD10 = { pin = \"gp18\", hz = 0 }\n",
      "m.toml:3:23: error: hz: this is no whole number in its range"},
-    {"board = \"ulx3s\"\n[uart]\nladder = \"gn15\"\n",
+    {"board = \"ulx3s\"\n[uart]\nladder = \"gp19\"\n",
      "m.toml:3:1: warning: ladder: the program has no UART instructions"},
-    {"board = \"ulx3s\"\n[uart]\nladder = \"gn16\"\n",
-     "m.toml:3:10: error: gn16: board ulx3s has no UART of this name\n    did you mean gn15?"},
+    {"board = \"ulx3s\"\n[uart]\nladder = \"gp28\"\n",
+     "m.toml:3:10: error: gp28: board ulx3s has no UART of this name\n    did you mean gp19?"},
     {"board = \"ulx3s\"\n[modbus]\nunit = 248\n",
      "m.toml:3:1: error: unit: this is no whole number"},
     {"board = \"ulx3s\"\n[modbus]\nbaud = 4800\n",
@@ -239,8 +239,8 @@ TEST(IoMap, EveryFaultIsNamedWhereItStands) {
 TEST(IoMap, AllErrorsAtOnce) {
   const Checked got = check(
       "board = \"ulx3s\"\n[modbus]\nunit = 0\n[inputs]\nX0 = \"nowhere\"\nfoo = "
-      "\"sw0\"\n[outputs]\nY0 = "
-      "\"sw1\"\n",
+      "\"sw1\"\n[outputs]\nY0 = "
+      "\"sw2\"\n",
       program_of(kList));
   for (const char* place :
        {"m.toml:3:1: error", "m.toml:5:6: error", "m.toml:6:1: error", "m.toml:8:6: error"}) {
@@ -267,7 +267,7 @@ TEST(IoMap, LdmicroProgramsBindTheirNames) {
   const Program program = program_of(kLadder, "t.ld");
   const Checked got = check(
       "board = \"ulx3s\"\n[inputs]\nXstart = \"btn1\"\n[outputs]\nYrun = \"led0\"\n[analog]\nAin = "
-      "\"adc3\"\n[pwm]\nSET_PWM = \"gn14\"\n[uart]\nladder = \"gn15\"\n",
+      "\"adc3\"\n[pwm]\nSET_PWM = \"gp18\"\n[uart]\nladder = \"gp19\"\n",
       program);
   EXPECT_FALSE(got.errors) << got.messages;
   // Pins of the file's micro-controller mean nothing.
@@ -287,7 +287,7 @@ TEST(IoMap, LdmicroProgramsBindTheirNames) {
   EXPECT_NE(no_adc.messages.find("READ ADC of Ain: board hx8k has no analogue channel"),
             std::string::npos);
   const Checked wrong =
-      check("board = \"ulx3s\"\n[analog]\nAin = \"adc0\"\nAim = \"adc1\"\n[pwm]\nduty = \"gn14\"\n",
+      check("board = \"ulx3s\"\n[analog]\nAin = \"adc0\"\nAim = \"adc1\"\n[pwm]\nduty = \"gp18\"\n",
             program);
   EXPECT_NE(wrong.messages.find("m.toml:4:1: error: Aim: the program has no READ ADC"),
             std::string::npos);

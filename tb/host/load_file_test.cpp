@@ -190,14 +190,14 @@ baud = 9600
 parity = "odd"
 [inputs]
 X0 = "btn2"
-X1 = { pin = "sw0", filter = 6, invert = true }
+X1 = { pin = "sw1", filter = 6, invert = true }
 [outputs]
 Y0 = { pin = "led3", safe = "hold" }
 Y1 = { pin = "gn0", safe = 1, invert = true }
 [analog]
 D10 = "adc5"
 [pwm]
-D12 = { pin = "gn14", hz = 70000 }
+D12 = { pin = "gp18", hz = 70000 }
 )";
 
 TEST(LoadFile, HoldsWhatTheMapSays) {
@@ -219,7 +219,7 @@ TEST(LoadFile, HoldsWhatTheMapSays) {
   EXPECT_EQ(at(made, space_setup, setup_filter + 1), 0);
   EXPECT_EQ(at(made, space_setup, setup_filter + 6), 16 + 6);
   EXPECT_EQ(at(made, space_setup, setup_output + 3), 2);
-  EXPECT_EQ(at(made, space_setup, setup_output + 8), 1 + 4);
+  EXPECT_EQ(at(made, space_setup, setup_output + 4), 1 + 4);
   EXPECT_EQ(at(made, space_host, host_unit), 9);
   // 8 * 2^20 * 9,600 / 25 MHz; 3.5 characters of 11 bits.
   EXPECT_EQ(wide(space_host, host_baud_low), 3221);
@@ -251,7 +251,7 @@ TEST(LoadFile, TheIoListIsInOrder) {
       {"X0", {latch_pin, 1}},       {"X1", {latch_pin, 6}},       {"X5", {latch_none, 0}},
       {"M8000", {latch_status, 1}}, {"M8002", {latch_status, 2}}, {"M8013", {latch_status, 7}},
       {"ticks2", {latch_ticks, 2}}, {"D10", {latch_adc, 5}},      {"Y0", {refresh_pin, 3}},
-      {"Y1", {refresh_pin, 8}},     {"D12", {refresh_pwm, 0}}};
+      {"Y1", {refresh_pin, 4}},     {"D12", {refresh_pwm, 0}}};
   EXPECT_EQ(entries, expected);
 }
 

@@ -26,7 +26,7 @@ module crc32 (
   reg [ 1:0] left_q;  // halves of the byte
   reg [15:0] rdata_q;
 
-  function [31:0] four_bits(input [31:0] value);
+  function automatic [31:0] four_bits(input reg [31:0] value);
     integer bit_number;
     begin
       four_bits = value;

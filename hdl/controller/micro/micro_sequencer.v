@@ -114,7 +114,8 @@ module micro_sequencer #(
   wire [9:0] offset = opcode != LOADX ? 10'd0 : number[10] ? x_q[9:0] : acc_q[9:0];
   wire [9:0] ram_addr = number[9:0] + offset;
   wire clears = opcode == INDEX && number[10];
-  wire store = state_q == DECODE && !jumps && (opcode == STORE || clears || (opcode == LOADX && number[10]));
+  wire store = state_q == DECODE && !jumps &&
+      (opcode == STORE || clears || (opcode == LOADX && number[10]));
 
   bank_ram #(
       .WIDTH(16),
@@ -128,7 +129,8 @@ module micro_sequencer #(
       .write_i(store || steps || calls || state_q == CLEARS),
       .write_addr_i(state_q == CLEARS ? clear_q : calls ? {{RAM_ADDR - 4{1'b1}}, depth_q} :
                     ram_addr[RAM_ADDR-1:0]),
-      .write_data_i(state_q == CLEARS ? 16'd0 : calls ? {4'd0, next_pc} : steps ? sum[15:0] : clears ? 16'd0 : acc_q)
+      .write_data_i(state_q == CLEARS ? 16'd0 : calls ? {4'd0, next_pc} :
+                    steps ? sum[15:0] : clears ? 16'd0 : acc_q)
   );
   wire unused_addr = &{1'b0, ram_addr};
 

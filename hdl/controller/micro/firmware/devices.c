@@ -20,8 +20,8 @@ u16 wanted;  // find_area: the address; kind of its areas: 0 bits, 1 those of th
              // words
 u16 wanted_kind;
 u16 areas_point;  // of the area looked at
-u16 point;  // the answer: its point
-u16 room;   // and how many more are in this area behind it, itself included; 0: no area has it
+u16 point;        // the answer: its point
+u16 room;  // and how many more are in this area behind it, itself included; 0: no area has it
 
 // kind: 0 a bit area of discrete inputs, 1 of coils, 3 of words
 static void area(u16 kind, u16 first, u16 count) {

@@ -49,8 +49,8 @@ u16 io_read(u16 address);
 void io_write(u16 address, u16 value);
 #endif
 
-// Holding registers by their numbers behind the first, those that are more than a variable left out:
-// registers.c. The upper ones are a table of their own.
+// Holding registers by their numbers behind the first, those that are more than a variable left
+// out: registers.c. The upper ones are a table of their own.
 #define FIRST_HOLDING HOLDING_IDENTITY
 #define FIRST_UPPER HOLDING_LOAD_COMMAND
 u16 held[HOLDING_FORCE_LIST + HOLDING_FORCE_LIST_COUNT - FIRST_HOLDING];

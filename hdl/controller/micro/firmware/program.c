@@ -16,7 +16,7 @@
 #define JOB_LOAD 3
 #define JOB_START 4
 
-u16 header[6];  // as program(), of the copy that was looked at last
+u16 header[6];                   // as program(), of the copy that was looked at last
 u16 erased[FLASH_COPY_SECTORS];  // sectors of the copy being written
 
 static void fill(u16 in_space, u16 count) {
@@ -46,7 +46,7 @@ static void clear_all(void) {
   fill(SPACE_PORTS, 3);
   fill(SPACE_BIT_MAP, BIT_POINTS);
   fill(SPACE_WORD_MAP, WORD_POINTS);
-  fill(SPACE_SETUP, SETUP_OUTPUT); // outputs stay: a load file sets them all
+  fill(SPACE_SETUP, SETUP_OUTPUT);  // outputs stay: a load file sets them all
   release_all();
   for (n = 0; n < SETTINGS; n = n + 1) settings[n] = 0;
   for (n = 0; n < 6; n = n + 1) program(n) = 0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each instruction with operands at the corners, against what hdl/controller/micro/README.md says of it.
+// Each instruction with operands at the corners, against what hdl/controller/micro/README.md says
+// of it.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -26,7 +27,8 @@ void load(std::vector<Word>& code, Word value) {
 }
 
 // acc and ram[17] as given, then `middle`; what acc and ram[17] are after it.
-std::array<Word, 2> after(Sequencer& sequencer, Word acc, Word ram, const std::vector<Word>& middle) {
+std::array<Word, 2> after(Sequencer& sequencer, Word acc, Word ram,
+                          const std::vector<Word>& middle) {
   std::vector<Word> code;
   load(code, ram);
   code.push_back(word(kSTORE, kAt));
@@ -82,18 +84,17 @@ TEST(Micro, Arithmetic) {
   }
 }
 
-// A comparison leaves acc alone; TEST and both branches go by it, over a JUMP, a CALL and a RETURN as well, but not
-// behind another instruction or a second time.
+// A comparison leaves acc alone; TEST and both branches go by it, over a JUMP, a CALL and a RETURN
+// as well, but not behind another instruction or a second time.
 TEST(Micro, Comparisons) {
   Sequencer sequencer;
   for (const Word acc : kCorners) {
     for (const Word ram : kCorners) {
       const Word number = ram & 0x7FF;
-      const std::array<std::pair<Word, bool>, 4> compares{
-          {{word(kEQ, kAt), acc == ram},
-           {word(kLTU, kAt), acc < ram},
-           {word(kEQI, number), acc == number},
-           {word(kLTUI, number), acc < number}}};
+      const std::array<std::pair<Word, bool>, 4> compares{{{word(kEQ, kAt), acc == ram},
+                                                           {word(kLTU, kAt), acc < ram},
+                                                           {word(kEQI, number), acc == number},
+                                                           {word(kLTUI, number), acc < number}}};
       for (const auto& [compare, truth] : compares) {
         EXPECT_EQ(after(sequencer, acc, ram, {compare})[0], acc);
         EXPECT_EQ(after(sequencer, acc, ram, {compare, kTEST})[0], truth ? 1 : 0);
@@ -109,9 +110,9 @@ TEST(Micro, Comparisons) {
         EXPECT_EQ(after(sequencer, acc, ram,
                         {compare, word(kSTORE, 3), word(kJZ, 9), word(kLOADI, 77)})[0],
                   acc != 0 ? 77 : 0);
-        EXPECT_EQ(after(sequencer, acc, ram,
-                        {compare, word(kJZ, 7), word(kJZ, 9), word(kLOADI, 77)})[0],
-                  acc != 0 ? 77 : 0);
+        EXPECT_EQ(
+            after(sequencer, acc, ram, {compare, word(kJZ, 7), word(kJZ, 9), word(kLOADI, 77)})[0],
+            acc != 0 ? 77 : 0);
       }
     }
     EXPECT_EQ(after(sequencer, acc, 0, {word(kJZ, 7), word(kLOADI, 77)})[0], acc != 0 ? 77 : 0);
@@ -126,13 +127,14 @@ TEST(Micro, Indexed) {
   EXPECT_EQ(after(sequencer, 18, 999, {word(kLOADX, 1023)})[0], 999);
   EXPECT_EQ(after(sequencer, 14, 999, {kSETX, word(kLOADI, 55), word(kSTOREX, 3)})[1], 55);
   EXPECT_EQ(after(sequencer, 18, 999, {kSETX, word(kLOADI, 55), word(kSTOREX, 1023)})[1], 55);
-  EXPECT_EQ(after(sequencer, 14, 999, {word(kSTORE, 9), word(kLOADI, 55), word(kINDEX, 9), word(kSTOREX, 3)}),
+  EXPECT_EQ(after(sequencer, 14, 999,
+                  {word(kSTORE, 9), word(kLOADI, 55), word(kINDEX, 9), word(kSTOREX, 3)}),
             (std::array<Word, 2>{55, 55}));
 }
 
 TEST(Micro, Bus) {
   Sequencer sequencer;
-  const std::vector<Word> code{word(kIN, 1023), kSETX,          kINX,  kOUTX,
+  const std::vector<Word> code{word(kIN, 1023), kSETX,        kINX,          kOUTX,
                                word(kOUT, 512), word(kIN, 0), word(kOUT, 1), word(kJUMP, 7)};
   const auto got = sequencer.run(code, 6, 2000);
   const Word first = input(0, 1023);
@@ -153,9 +155,9 @@ TEST(Micro, ReturnsAndReset) {
   code.insert(code.end(), {word(kCALL, 4), word(kLOADI, 99), word(kOUT, 0), word(kJUMP, 3)});
   for (int depth = 1; depth <= 16; ++depth) {
     const int next = 4 * (depth + 1);
-    code.insert(code.end(), {depth == 16 ? word(kLOAD, 100) : word(kCALL, next),
-                             depth == 16 ? word(kADDI, 16) : word(kLOADI, depth), word(kOUT, depth),
-                             kRETURN});
+    code.insert(code.end(),
+                {depth == 16 ? word(kLOAD, 100) : word(kCALL, next),
+                 depth == 16 ? word(kADDI, 16) : word(kLOADI, depth), word(kOUT, depth), kRETURN});
   }
   for (int again = 0; again < 2; ++again) {
     const auto got = sequencer.run(code, 17, 4000);

@@ -13,6 +13,7 @@ from pathlib import Path
 
 import gen_controller
 import gen_firmware
+import gen_flow
 
 ISA_DIR = Path(__file__).resolve().parent.parent / "hdl" / "isa"
 PROCESSORS = ("mpu1", "mpu2", "mpu3")
@@ -257,6 +258,9 @@ def main(argv):
         write(out / "rung_controller.vh", gen_controller.verilog(tables, NOTICE))
         write(out / "rung_controller.h", gen_controller.c_header(tables, NOTICE))
         write(out / "rung_controller.hpp", gen_controller.cpp(tables, NOTICE))
+        flow = gen_flow.load(ISA_DIR, tables["control"])
+        write(out / "rung_flow.vh", gen_flow.verilog(flow, NOTICE))
+        write(out / "rung_flow.hpp", gen_flow.cpp(flow, NOTICE))
         gen_firmware.write_rom(out, tables, NOTICE)
     else:
         print(__doc__, file=sys.stderr)

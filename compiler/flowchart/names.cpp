@@ -33,7 +33,8 @@ std::optional<std::size_t> Names::index(std::string_view name) const {
 std::size_t Names::find(const Token& name) const {
   if (const auto found = index(name.text)) return *found;
   std::vector<std::string_view> all;
-  if (names_.size() <= kMostToSearch) {
+  // Names of one or two letters are all near to each other.
+  if (names_.size() <= kMostToSearch && name.text.size() > 2) {
     for (const auto& [each, declared] : names_) all.push_back(each);
   }
   const std::string_view near = nearest(std::string_view(name.text).substr(0, 60), all);

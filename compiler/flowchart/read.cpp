@@ -5,6 +5,7 @@
 
 #include <deque>
 #include <filesystem>
+#include <map>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -63,6 +64,7 @@ class Reader {
   };
   struct TaskText {
     Token name;
+    bool named = false;
     bool starts = false;
     Names names{"step"};
     std::vector<StepText> steps;
@@ -82,8 +84,16 @@ class Reader {
     const Token& first = line.front();
     if (first.is("task")) return task(line);
     if (first.is("step")) return step(line);
+    for (const Token& token : line) {
+      if (token.kind != Token::Kind::Bad) continue;
+      const bool open = token.text.front() == '"';
+      throw Refusal{token.position,
+                    open ? "the name that begins here has no closing quote"
+                         : fmt::format("{}: no character of the language", shown(token)),
+                    open ? "write \" behind it" : "compiler/FLOW.md shows what there is"};
+    }
     if (tasks_.empty()) {
-      if (header_.line(line)) return;
+      if (header_.line(line) || lost_) return;
       const std::string_view near =
           first.kind == Token::Kind::Word ? near_keyword(first.text) : std::string_view();
       const bool better = !near.empty() && near != first.text;
@@ -121,6 +131,7 @@ class Reader {
     }
     const Token& name = cursor.name("a task", "task NAME");
     task.name = name;
+    task.named = true;
     task.starts = cursor.accept("start");
     // After the number of tasks: a name stands for its place among all of them.
     while (task_names_.size() + 1 < tasks_.size()) task_names_.skip();
@@ -148,6 +159,7 @@ class Reader {
     const Token& name = cursor.name("a step", "step NAME");
     step.name = name;
     while (task.names.size() + 1 < task.steps.size()) task.names.skip();
+    owners_.try_emplace(name.text, task.name.text);
     task.names.declare(name);
     cursor.expect_end("step NAME");
   }
@@ -158,7 +170,7 @@ class Reader {
                          "write `task NAME start`, then `step NAME` and its lines");
     }
     for (const TaskText& task : tasks_) {
-      if (!task.steps.empty()) continue;
+      if (!task.steps.empty() || !task.named) continue;
       diagnostics_.error(source_.file, task.name.position,
                          fmt::format("{}: a task without a step", shown(task.name)),
                          "begin with a line `step NAME`, or remove the task");
@@ -171,7 +183,7 @@ class Reader {
     result.starts = task.starts;
     for (const StepText& step : task.steps) {
       StepReader reader({chart_.dialect, chart_.boards, header_.board_names(), task_names_,
-                         task.names, asked, started},
+                         task.names, owners_, asked, started},
                         step.position, step.text);
       for (const Line* line : step.lines) guarded([&] { reader.line(*line); });
       result.steps.push_back({step.name.text, step.position, step.text, reader.finish()});
@@ -209,6 +221,7 @@ class Reader {
   Header header_;
   Names task_names_{"task"};
   std::deque<TaskText> tasks_;
+  std::map<std::string, std::string> owners_;  // the first task that has a step of this name
   std::size_t steps_ = 0;
   bool lost_ = false;  // a line that belongs nowhere has been reported
 };

@@ -245,7 +245,7 @@ void StepReader::assignment(Cursor& cursor) {
   action.target = read_operand(target, world_.dialect);
   advance(Phase::Actions, target);
   check_writable(target, action.target, world_.dialect);
-  cursor.expect("=", kActionForm);
+  cursor.expect("=", is_bit(action.target) ? kBitForm : kActionForm);
   Scope scope = action_scope();
   if (is_bit(action.target)) {
     action.kind = Action::Kind::Bit;
@@ -273,7 +273,15 @@ Exit StepReader::read_exit(Cursor& cursor) {
   }
   cursor.expect("goto", kWhenForm);
   exit.kind = Exit::Kind::Step;
-  exit.step = world_.steps.find(cursor.name("a step", "goto STEP"));
+  const Token& step = cursor.name("a step", "goto STEP");
+  const auto owner = world_.owners.find(step.text);
+  if (!world_.steps.index(step.text) && owner != world_.owners.end()) {
+    throw Refusal{
+        step.position,
+        fmt::format("{}: a step of another task, {}", shown(step), rung::shown(owner->second)),
+        "goto leads to steps of the same task; other tasks are started and stopped"};
+  }
+  exit.step = world_.steps.find(step);
   return exit;
 }
 
@@ -303,7 +311,8 @@ void StepReader::wait(Cursor& cursor) {
     cursor.expect_end(kWaitForm);
     return note(scope);
   }
-  const int number = cursor.number(1, kMostTenths * 100, "what to wait for", kWaitForm);
+  const int number =
+      cursor.number(1, kMostTenths * 100, "milliseconds, seconds or minutes", kWaitForm);
   const Token& unit = cursor.take();
   const std::int64_t factor = unit.is("ms") ? 1 : unit.is("s") ? 1000 : unit.is("min") ? 60'000 : 0;
   if (factor == 0) {

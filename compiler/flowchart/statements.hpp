@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -66,9 +67,10 @@ class StepReader {
     const std::vector<Board>& boards;
     const Names& board_names;
     const Names& tasks;
-    const Names& steps;          // of this task
-    std::vector<bool>& asked;    // by task
-    std::vector<bool>& started;  // by task: some step starts it
+    const Names& steps;                                // of this task
+    const std::map<std::string, std::string>& owners;  // of any: a task that has it
+    std::vector<bool>& asked;                          // by task
+    std::vector<bool>& started;                        // by task: some step starts it
   };
   StepReader(const World& world, SourcePosition position, std::string text);
 

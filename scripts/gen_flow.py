@@ -30,7 +30,7 @@ def numbers(table):
             out.append((f"{prefix}_{row['name']}", row["number"]))
             if "count" in row:
                 out.append((f"{prefix}_{row['name']}_count", row["count"]))
-    for group in ("flow", "link"):
+    for group in ("flow", "clocks", "link"):
         out += [(f"{group}_{key}", value) for key, value in table[group].items()]
     return out
 

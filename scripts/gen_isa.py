@@ -128,7 +128,7 @@ def cpp(isa, configs):
         out.append(f'RUNG_CONFIG({config_name}, {c["steps_mpu1"]}, {c["steps_mpu2"]}, '
                    f'{c["steps_mpu3"]}, {c["bit_devices"]}, {c["word_devices"]}, '
                    f'{c["mul_latency"]}, {c["div_latency"]}, {c["mul32_latency"]}, '
-                   f'{c["div32_latency"]}, {c["clock_hz"]})')
+                   f'{c["div32_latency"]}, {c["clock_hz"]}, {c["flow"]})')
     for macro in ("LAYOUT", "OPCODE", "PROCESSOR", "CONFIG"):
         out.append(f"#undef RUNG_{macro}")
     return "\n".join(out) + "\n"

@@ -10,7 +10,6 @@ namespace {
 
 constexpr std::uint32_t kRow = 4;  // words of a step or transfer
 constexpr int kStartsWithProgram = 0x8000;
-constexpr int kFirstBoard = 64;  // of space flow_setup
 
 class Words {
  public:
@@ -66,7 +65,7 @@ std::vector<SpaceWord> flow_words(const image::FlowImage& flow, const io::FlowSe
   setup(flow_setup_panel_parity, static_cast<int>(settings.panel_parity));
   for (const image::FlowBoard& board : flow.boards) {
     if (board.unit == flow.unit) {
-      setup(kFirstBoard + board.number, image::FlowImage::bits(board));
+      setup(flow_first_board + board.number, image::FlowImage::bits(board));
     }
   }
   return words.take();

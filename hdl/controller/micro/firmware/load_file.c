@@ -15,11 +15,13 @@
 #define LOAD_FLASH_ERROR 5
 #define LOAD_BAD_RECORD 6
 
-// The last space that a file may have.
+// The last space that a file may have, and whether `space` is more than the firmware's own.
 #if FLOW
 #define LAST_SPACE SPACE_FLOW_SETUP
+#define IN_HARDWARE (space <= SPACE_SETUP || space > SPACE_HOST)
 #else
 #define LAST_SPACE SPACE_HOST
+#define IN_HARDWARE (space <= SPACE_SETUP)
 #endif
 
 // What a file's next word is.
@@ -118,7 +120,7 @@ static void data_word(u16 word) {
     return;
   }
   if (loading) {
-    if (space <= SPACE_SETUP || space > SPACE_HOST) io_write(REG(LOAD_DATA), word);
+    if (IN_HARDWARE) io_write(REG(LOAD_DATA), word);
     note(word);
   }
   if (space == SPACE_STEPS && (address & 7) == chunks - 1) {

@@ -88,7 +88,8 @@ def verilog(tables, notice):
     out.append("\n// Parameters of a controller: its configuration's device map")
     for name, sizes in tables["maps"].items():
         out.append(f"`define RUNG_{name.upper()}_MAP .CONFIG_ID({tables['ids'][name]}), "
-                   f".BIT_POINTS({sizes['bit']}), .WORD_POINTS({sizes['word']})")
+                   f".BIT_POINTS({sizes['bit']}), .WORD_POINTS({sizes['word']}), "
+                   f".FLOW({tables['devices'][name]['flow']})")
     out.append("\n// Parameters of a controller: its board")
     for name, board in tables["boards"].items():
         out.append(f"`define RUNG_BOARD_{name.upper()} .BOARD_ID({board['id']}), "

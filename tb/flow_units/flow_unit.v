@@ -55,7 +55,6 @@ module flow_unit #(
       .MPU(3),
       .CLOCK_HZ(1000 * CLOCKS_PER_MS),
       .CLOCKS_PER_MS(CLOCKS_PER_MS),
-      .FLOW(1),
       `RUNG_ECP5_MAP,
       `RUNG_BOARD_SIMULATED,
       `RUNG_ECP5_MPU3

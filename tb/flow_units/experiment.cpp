@@ -2,35 +2,23 @@
 #include "flow_units/experiment.hpp"
 
 #include <fmt/format.h>
-#include <stdlib.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <limits>
-#include <optional>
 #include <random>
-#include <sstream>
 #include <stdexcept>
-#include <utility>
 
-#include "driver/compile_flow.hpp"
+#include "flow_units/probe.hpp"
+#include "flow_units/programs.hpp"
 #include "flow_units/system.hpp"
-#include "flowchart/read.hpp"
-#include "image/flow.hpp"
 #include "io/map.hpp"
-#include "load/flow_bound.hpp"
-#include "load/latency.hpp"
-#include "load/load_file.hpp"
 #include "programs/samples.hpp"
 #include "rung_controller.hpp"
 #include "rung_flow.hpp"
-#include "source/text_file.hpp"
 
 namespace rung::tb {
 namespace {
 
-constexpr double kMhz = 100;  // of the processor, for what is told in milliseconds
 // The panel of the paper: answers after tens of milliseconds (its Table 1 shows 30 to 100 with what
 // waits for it).
 constexpr double kPanelLeastMs = 25, kPanelMostMs = 95;
@@ -39,24 +27,6 @@ constexpr int kTurns =
     2;  // of the task: the step that sees the input, the step that sets the output
 constexpr std::uint64_t kSampleSeed = 1, kSecondSampleSeed = 2;
 constexpr int kDensity = 30;
-
-std::string text_of(const Diagnostics& diagnostics) {
-  std::ostringstream text;
-  diagnostics.print(text);
-  return text.str();
-}
-
-template <typename T>
-T require(std::optional<T> made, const std::string& what, const Diagnostics& diagnostics) {
-  if (!made) throw std::runtime_error(what + " is refused:\n" + text_of(diagnostics));
-  return std::move(*made);
-}
-
-struct Built {
-  image::Image image;
-  std::vector<std::uint16_t> words;
-  load::FlowBound bound;
-};
 
 std::string map_text(FlowMode mode, bool inputs) {
   const controller::Board& board = *io::find_board("simulated");
@@ -72,101 +42,10 @@ std::string map_text(FlowMode mode, bool inputs) {
   return text;
 }
 
-Built build(const std::string& file, const std::string& map_of) {
-  Diagnostics diagnostics;
-  const auto chart = require(flowchart::read(file, diagnostics), file, diagnostics);
-  CompileOptions options;
-  auto compiled = require(compile_flow(chart, options, diagnostics), file, diagnostics);
-  const auto map =
-      require(io::parse_map(map_of, "flow.toml", diagnostics), "the I/O map", diagnostics);
-  const auto bindings = io::bind(map, load::subject_of(compiled.image), diagnostics);
-  const auto clock_hz = static_cast<std::int64_t>(1000 * FlowSystem::clocks_per_ms());
-  auto words =
-      require(load::make(compiled.image, bindings, clock_hz, diagnostics), file, diagnostics);
-  if (diagnostics.has_errors()) throw std::runtime_error(text_of(diagnostics));
-  const load::Timing timing = load::timing_of(compiled.image, bindings, clock_hz);
-  auto bound = load::flow_bound(compiled.image, load::phases_of(timing, compiled.image));
-  return {std::move(compiled.image), std::move(words), std::move(bound)};
-}
-
-// A folder of its own for programs, gone with it.
-class Folder {
- public:
-  Folder() {
-    std::string name = (std::filesystem::temp_directory_path() / "rung-flow-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
-    path_ = name;
-  }
-  ~Folder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  std::string put(const std::string& name, const std::string& text) const {
-    const std::filesystem::path file = path_ / name;
-    std::ofstream(file) << text;
-    return file.string();
-  }
-
- private:
-  std::filesystem::path path_;
-};
-
 // Two stand-ins of the paper's Sample 1 one behind the other: some 1,000 clocks on MPU3.
 std::string ladder_text() {
   return sample_program(1, kDensity, kSampleSeed) + sample_program(1, kDensity, kSecondSampleSeed);
 }
-
-class Measurement {
- public:
-  Measurement(FlowSystem& system, const FlowCell& cell)
-      : system_(system), cell_(cell), random_(cell.seed) {}
-
-  // One input: up, until the output has followed, and down again.
-  FlowResponse input() {
-    wait_random();
-    const FlowResponse up = edge(true);
-    wait_random();
-    edge(false);
-    return up;
-  }
-
- private:
-  static constexpr double kPatienceMs = 4000;
-
-  void wait_random() {
-    std::uniform_real_distribution<double> pause(0.3, 2.3);
-    system_.run(static_cast<std::uint64_t>(pause(random_) *
-                                           static_cast<double>(FlowSystem::clocks_per_ms())));
-  }
-
-  FlowResponse edge(bool level) {
-    const std::uint64_t start = system_.now();
-    const auto per_ms = static_cast<double>(FlowSystem::clocks_per_ms());
-    system_.set_input(1, 0, level);
-    // Polled: until the second equal read has let it in. Sampled in every round: no such part.
-    std::uint64_t seen = start;
-    if (cell_.mode != FlowMode::Sampled) {
-      while (system_.filtered(1, 0) != level) step(start);
-      seen = system_.now();
-    }
-    while (system_.output(1, 0) != level) step(start);
-    return {static_cast<double>(seen - start) / per_ms, system_.now() - seen};
-  }
-
-  void step(std::uint64_t start) {
-    system_.clock();
-    if (static_cast<double>(system_.now() - start) >
-        kPatienceMs * static_cast<double>(FlowSystem::clocks_per_ms())) {
-      throw std::runtime_error("the output does not follow its input");
-    }
-  }
-
-  FlowSystem& system_;
-  const FlowCell& cell_;
-  std::mt19937_64 random_;
-};
 
 }  // namespace
 
@@ -181,10 +60,6 @@ const std::vector<FlowScenario>& flow_scenarios() {
       {6, "as 4, and the PC", true, Sub::Panel},
   };
   return all;
-}
-
-double milliseconds(const FlowResponse& response) {
-  return response.polled_ms + static_cast<double>(response.clocks) / (1000 * kMhz);
 }
 
 std::uint64_t flow_clocks_per_ms() { return FlowSystem::clocks_per_ms(); }
@@ -219,14 +94,14 @@ FlowResult run_flow_cell(const FlowCell& cell) {
   const bool sub = scenario.sub != FlowScenario::Sub::None;
   const Folder folder;
   folder.put("ladder.il", ladder_text());
-  const Built measured =
-      build(folder.put("measured.flow", measured_program(cell.tasks, "ladder.il")),
-            map_text(cell.mode, true));
+  const FlowBuilt measured =
+      build_flow(folder.put("measured.flow", measured_program(cell.tasks, "ladder.il")),
+                 map_text(cell.mode, true));
   FlowSystem system(sub ? 2 : 1, cell.seed);
   system.load(1, measured.words);
   if (sub) {
-    const Built asking = build(folder.put("asking.flow", asking_program(scenario.sub)),
-                               map_text(FlowMode::Suspended, false));
+    const FlowBuilt asking = build_flow(folder.put("asking.flow", asking_program(scenario.sub)),
+                                        map_text(FlowMode::Suspended, false));
     system.load(2, asking.words);
   }
   if (scenario.sub == FlowScenario::Sub::Panel)
@@ -241,9 +116,9 @@ FlowResult run_flow_cell(const FlowCell& cell) {
   result.bound_clocks = measured.bound.response(kTurns);
   result.round_bound = measured.bound.round();
   result.ladder_clocks = measured.bound.ladder;
-  Measurement measurement(system, cell);
+  FlowProbe probe(system, cell.mode != FlowMode::Sampled, cell.seed);
   for (int i = 0; i < cell.inputs; ++i) {
-    const FlowResponse response = measurement.input();
+    const FlowResponse response = probe.input();
     if (milliseconds(response) < milliseconds(result.least)) result.least = response;
     if (milliseconds(response) > milliseconds(result.most)) result.most = response;
     result.least_clocks = std::min(result.least_clocks, response.clocks);

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "flow_units/probe.hpp"
+
 namespace rung::tb {
 
 // Section 4.2.
@@ -36,14 +38,6 @@ struct FlowCell {
   int inputs = 1000;
   std::uint64_t seed = 1;
 };
-
-// From an input's edge to the output's. `polled_ms` is what the polling takes, `clocks` the rest.
-struct FlowResponse {
-  double polled_ms = 0;
-  std::uint64_t clocks = 0;
-};
-// In milliseconds, of a processor at 100 MHz.
-double milliseconds(const FlowResponse& response);
 
 struct FlowResult {
   FlowCell cell;

@@ -50,6 +50,8 @@ module flow_unit #(
   assign latch_o = controller.core.bus.latch;
   assign host_baud_o = controller.host_uart.baud_step_i;
   assign host_parity_o = controller.host_uart.parity_i;
+  assign panel_baud_o = controller.core.bus.gen_flow.flow.panel_baud;
+  assign panel_parity_o = controller.core.bus.gen_flow.flow.panel_parity;
 
   controller #(
       .MPU(3),

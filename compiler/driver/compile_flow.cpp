@@ -22,7 +22,6 @@ using passes::Plan;
 
 // Hidden devices of the steps, by place: above all numbers of the lowering.
 constexpr std::uint32_t kPool = 1U << 23U;
-constexpr std::uint32_t kPoolConstants = 1U << 24U;
 
 class FlowCompiler {
  public:
@@ -84,17 +83,16 @@ class FlowCompiler {
     for (const Device device : core::devices(lowered_[0].program)) all.insert(device);
     for (const core::TickWord& word : lowered_[0].program.ticks) all.insert(word.device);
 
-    // Where a step's hidden devices go: {step, its device, the device of the pool}.
+    // Of each step's hidden devices, which of the pool they are.
     std::vector<std::map<Device, Device>> pooled(chart_.steps.size());
     for (std::size_t i = 0; i < chart_.steps.size(); ++i) {
       const core::Program& program = lowered_[i + 1].program;
-      pooled[i] = constants_of(program);
       std::uint32_t bits = kPool;
       std::uint32_t words = kPool;
       for (const Device device : core::devices(program)) {
         if (!flow_parts::is_private(device)) {
           all.insert(device);
-        } else if (!pooled[i].contains(device)) {
+        } else {
           const std::uint32_t number = is_word(device) ? words++ : bits++;
           pooled[i][device] = {device.kind, number};
         }
@@ -109,22 +107,6 @@ class FlowCompiler {
       for (const auto& [device, place] : places) own[device] = common_->of(place);
       views_.emplace_back(*common_, std::move(own));
     }
-  }
-
-  // A step's tables of constants have a place of their own, which equal ones share.
-  std::map<Device, Device> constants_of(const core::Program& program) {
-    std::map<Device, Device> places;
-    if (program.constants.empty()) return places;
-    std::vector<std::int16_t> values;
-    for (const core::ConstantWord& word : program.constants) values.push_back(word.value);
-    const auto first = static_cast<std::uint32_t>(constants_.size());
-    const auto [block, fresh] = blocks_.try_emplace(values, first);
-    for (std::uint32_t i = 0; i < values.size(); ++i) {
-      const Device place{DeviceKind::HW, kPoolConstants + block->second + i};
-      places[program.constants[i].device] = place;
-      if (fresh) constants_.push_back({place, values[i]});
-    }
-    return places;
   }
 
   void plan(bool fuse) {
@@ -144,9 +126,6 @@ class FlowCompiler {
     const isa::Config& config = *options_.config;
     image::Image image =
         image::start_image(whole_, lowered_[0].program, *common_, config, options_.mpu);
-    for (const core::ConstantWord& word : constants_) {
-      image.constants.push_back({common_->of(word.device), word.value});
-    }
     image::FlowImage flow =
         flow_parts::tables(chart_, [&](Device device) { return int{common_->of(device)}; });
     image::Rows rows;
@@ -210,8 +189,6 @@ class FlowCompiler {
   Diagnostics& diagnostics_;
   std::vector<Lowered> lowered_;
   Program whole_;
-  std::vector<core::ConstantWord> constants_;  // of steps
-  std::map<std::vector<std::int16_t>, std::uint32_t> blocks_;
   std::optional<image::Addresses> common_;
   std::vector<image::Addresses> views_;  // of the routines
   std::vector<Plan> plans_;

@@ -136,11 +136,10 @@ bool is_flow_device(Device device) {
 
 std::string remembers(const core::Program& program) {
   if (!program.ticks.empty()) return "it counts time";
+  if (!program.constants.empty()) return "it has a table of constants";
   std::set<Device> written;
-  std::set<Device> constants;
-  for (const core::ConstantWord& word : program.constants) constants.insert(word.device);
   const auto unknown = [&](Device device) {
-    return is_private(device) && !written.contains(device) && !constants.contains(device);
+    return is_private(device) && !written.contains(device);
   };
   for (const core::Instruction& instruction : program.instructions) {
     for (const Device device : instruction.reads) {
@@ -156,7 +155,6 @@ std::string remembers(const core::Program& program) {
     // A word under a condition is used under it too; a bit may be read when it was not written.
     const bool surely = instruction.op == core::Op::Out || instruction.always;
     for (const Device device : instruction.targets) {
-      if (constants.contains(device)) return "it writes a constant";
       if (surely || is_word(device)) written.insert(device);
     }
   }

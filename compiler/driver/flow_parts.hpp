@@ -26,8 +26,8 @@ inline bool is_private(Device device) {
 }
 
 // What lowering makes of a step runs again only after other routines have used its hidden devices:
-// every one is written before it is read, there are no ticks, and no constant is written. Empty, or
-// what is wrong.
+// every one is written before it is read, and there are no ticks and no tables of constants, which
+// only LDmicro programs have. Empty, or what is wrong.
 std::string remembers(const core::Program& program);
 
 // Puts instructions in front that count the milliseconds and tenths that steps wait by, from the

@@ -91,7 +91,7 @@ TEST_F(CliFlow, CompileWritesImageListingLoadFileAndBindings) {
     EXPECT_NE(listing.out.find(part), std::string::npos) << part << " is not in\n" << listing.out;
   }
   const std::string map =
-      file("map.toml", "board = \"simulated\"\n[inputs]\nX0 = 0\n[outputs]\nY0 = 0\n");
+      file("map.toml", "board = \"simulated\"\n[inputs]\nX0 = \"in0\"\n[outputs]\nY0 = \"out0\"\n");
   const Result bindings = rung("compile " + program() + " --io " + map + " --bindings");
   EXPECT_EQ(bindings.code, 0) << bindings.err;
   EXPECT_NE(bindings.out.find("X0"), std::string::npos) << bindings.out;

@@ -77,12 +77,11 @@ module link_table (
   wire [3:0] unit = req_unit_i[3:0];
   wire nobody = req_unit_i[7:4] != 4'd0 || unit == 4'd0 || unit == unit_i ||
       req_count_i == 6'd0 || req_count_i > MOST_WORDS;
-  wire [6:0] next_use = use_q[req_block_i] + 7'd1;
   wire entered = busy_q && word_q == LAST;
 
   // No reset: see above.
   always @(posedge clk_i) begin
-    if (take_request) use_q[req_block_i] <= next_use;
+    if (entered && !reply_q) use_q[block_q] <= tag_q[6:0] + 7'd1;
     if (event_given_i) event_use_q[event_block_i] <= event_use_i;
   end
 
@@ -92,7 +91,7 @@ module link_table (
       block_q <= req_block_i;
       route_q <= {nobody, req_write_i, req_count_i, 4'd0, unit};
       first_q <= req_first_i;
-      tag_q   <= {req_board_i, 1'b0, next_use};
+      tag_q   <= {req_board_i, 1'b0, use_q[req_block_i]};
     end else if (take_reply) begin
       reply_q <= 1'b1;
       block_q <= reply_block_i;

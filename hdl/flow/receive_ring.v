@@ -39,6 +39,7 @@ module receive_ring (
   reg [ 3:0] count_q;
 
   integer i;
+  integer k;
   reg [2:0] position;
   reg found;
   always @(*) begin
@@ -64,8 +65,8 @@ module receive_ring (
       count_q <= count_q + 4'd1;
     end else if (free) begin
       count_q <= count_q - 4'd1;
-      for (i = 0; i < 7; i = i + 1) begin
-        if (i[2:0] >= position) places_q[3*i+:3] <= places_q[3*i+3+:3];
+      for (k = 0; k < 7; k = k + 1) begin
+        if (k[2:0] >= position) places_q[3*k+:3] <= places_q[3*k+3+:3];
       end
       places_q[23:21] <= found_place;
     end
@@ -73,8 +74,8 @@ module receive_ring (
     if (commit_i) begin
       classes_q[2*count_q[2:0]+:2] <= commit_class_i;
     end else if (free) begin
-      for (i = 0; i < 7; i = i + 1) begin
-        if (i[2:0] >= position) classes_q[2*i+:2] <= classes_q[2*i+2+:2];
+      for (k = 0; k < 7; k = k + 1) begin
+        if (k[2:0] >= position) classes_q[2*k+:2] <= classes_q[2*k+2+:2];
       end
     end
   end

@@ -21,6 +21,13 @@ module processor #(
     output wire        done_o,
     output wire        error_o,
     output wire [31:0] clocks_o,
+    // the steps of a run and the words they write: core/core.v. MPU1 and MPU2 write with slot 0 alone
+    input  wire        range_i,
+    input  wire [15:0] entry_i,
+    input  wire [15:0] end_i,
+    output wire [ 1:0] write_valid_o,
+    output wire [31:0] write_addr_o,
+    output wire [31:0] write_data_o,
     // load port
     input  wire        load_valid_i,
     input  wire        load_write_i,
@@ -52,6 +59,12 @@ module processor #(
           // verilator lint_on PINCONNECTEMPTY
           .error_o      (error_o),
           .clocks_o     (clocks_o),
+          .range_i      (range_i),
+          .entry_i      (entry_i),
+          .end_i        (end_i),
+          .write_valid_o(write_valid_o[0]),
+          .write_addr_o (write_addr_o[15:0]),
+          .write_data_o (write_data_o[15:0]),
           .load_valid_i (load_valid_i),
           .load_write_i (load_write_i),
           .load_space_i (load_space_i),
@@ -60,6 +73,9 @@ module processor #(
           .load_rvalid_o(load_rvalid_o),
           .load_rdata_o (load_rdata_o)
       );
+      assign write_valid_o[1] = 1'b0;
+      assign write_addr_o[31:16] = 16'd0;
+      assign write_data_o[31:16] = 16'd0;
     end else if (MPU == 2) begin : gen_mpu2
       mpu2 #(
           .STEPS       (STEPS),
@@ -78,6 +94,12 @@ module processor #(
           // verilator lint_on PINCONNECTEMPTY
           .error_o      (error_o),
           .clocks_o     (clocks_o),
+          .range_i      (range_i),
+          .entry_i      (entry_i),
+          .end_i        (end_i),
+          .write_valid_o(write_valid_o[0]),
+          .write_addr_o (write_addr_o[15:0]),
+          .write_data_o (write_data_o[15:0]),
           .load_valid_i (load_valid_i),
           .load_write_i (load_write_i),
           .load_space_i (load_space_i),
@@ -86,6 +108,9 @@ module processor #(
           .load_rvalid_o(load_rvalid_o),
           .load_rdata_o (load_rdata_o)
       );
+      assign write_valid_o[1] = 1'b0;
+      assign write_addr_o[31:16] = 16'd0;
+      assign write_data_o[31:16] = 16'd0;
     end else begin : gen_mpu3
       mpu3 #(
           .STEPS       (STEPS),
@@ -104,6 +129,12 @@ module processor #(
           // verilator lint_on PINCONNECTEMPTY
           .error_o      (error_o),
           .clocks_o     (clocks_o),
+          .range_i      (range_i),
+          .entry_i      (entry_i),
+          .end_i        (end_i),
+          .write_valid_o(write_valid_o),
+          .write_addr_o (write_addr_o),
+          .write_data_o (write_data_o),
           .load_valid_i (load_valid_i),
           .load_write_i (load_write_i),
           .load_space_i (load_space_i),

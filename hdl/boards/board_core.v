@@ -146,6 +146,14 @@ module board_core #(
       .done_o       (done),
       .error_o      (error),
       .clocks_o     (clocks),
+      .range_i      (1'b0),
+      .entry_i      (16'd0),
+      .end_i        (16'd0),
+      // verilator lint_off PINCONNECTEMPTY
+      .write_valid_o(),
+      .write_addr_o (),
+      .write_data_o (),
+      // verilator lint_on PINCONNECTEMPTY
       .load_valid_i (load_valid),
       .load_write_i (load_write),
       .load_space_i (load_space),

@@ -25,6 +25,15 @@ module core #(
     output wire                             done_o,
     output wire                             error_o,
     output wire [                     31:0] clocks_o,
+    // the steps that a run is, sampled with start_i: 0: all of the program; 1: entry_i to end_i - 1
+    input  wire                             range_i,
+    input  wire [                     15:0] entry_i,
+    input  wire [                     15:0] end_i,
+    // words that the program's steps write, slot 0 lowest, 16 bits a slot where not 1; the last ones
+    // come in the clock after the first with done_o. Two slots never write the same word at once
+    output wire [                SLOTS-1:0] write_valid_o,
+    output wire [             SLOTS*16-1:0] write_addr_o,
+    output wire [             SLOTS*16-1:0] write_data_o,
     // load port
     input  wire                             load_valid_i,
     input  wire                             load_write_i,
@@ -60,6 +69,7 @@ module core #(
   wire [19:0] l_addr;
   wire [15:0] l_data;
   wire [SLOT_BITS-1:0] l_instruction;
+  wire w_access;
   wire [SLOTS-1:0] w_bit_value;
   wire [SLOTS*BITS-1:0] w_word_value;
 
@@ -85,6 +95,7 @@ module core #(
       .l_addr_o(l_addr),
       .l_data_o(l_data),
       .l_instruction_o(l_instruction),
+      .w_access_o(w_access),
       .w_bit_i(w_bit_value[0]),
       .w_word_i(w_word_value[0+:BITS])
   );
@@ -114,6 +125,9 @@ module core #(
       .clk_i(clk_i),
       .rst_ni(rst_ni),
       .start_i(start_i),
+      .range_i(range_i),
+      .entry_i(entry_i),
+      .end_i(end_i),
       .scan_start_o(scan_start),
       .busy_o(busy),
       .done_o(done_o),
@@ -319,6 +333,26 @@ module core #(
   always @(posedge clk_i) begin
     error_q <= error_o && !scan_start && rst_ni;
   end
+
+  // ---- words written, in registers of their own: what reads them may lie far away -----------------
+  reg [SLOTS-1:0] write_valid_q;
+  reg [SLOTS*WORD_ADDR-1:0] write_addr_q;
+  reg [SLOTS*BITS-1:0] write_data_q;
+  always @(posedge clk_i) begin
+    write_valid_q <= w_word_we & {SLOTS{rst_ni}};
+    if (w_access) write_valid_q[0] <= 1'b0;
+    write_addr_q <= w_word_dest;
+    write_data_q <= w_word_value;
+  end
+  assign write_valid_o = write_valid_q;
+  assign write_data_o  = write_data_q;
+  generate
+    for (s = 0; s < SLOTS; s = s + 1) begin : g_write
+      assign write_addr_o[s*16+:16] = {
+        {16 - WORD_ADDR{1'b0}}, write_addr_q[s*WORD_ADDR+:WORD_ADDR]
+      };
+    end
+  endgenerate
 
 `ifdef RUNG_RETIRE
   // ---- retire port -----------------------------------------------------------------------------

@@ -2,7 +2,8 @@
 // Scan control and the fetch stages: IF1 addresses the instruction memory with the program counter,
 // IF2 takes its data into a register, IF3 moves them to ID1. On a large FPGA the memory's block
 // RAMs lie all over the chip, and IF3 is the way from there. Straight-line code: the counter runs
-// from 0 to the program's length, then an end token follows the last step down the pipeline.
+// from 0 to the program's length, or from an entry to an end, then an end token follows the last
+// step down the pipeline. A run of no steps is the token alone.
 // Takes start; gives one step a clock to ID1, done, busy and the clocks of the scan.
 `default_nettype none
 
@@ -14,6 +15,10 @@ module fetch #(
     input  wire                 rst_ni,
     // scan: start_i is looked at when busy_o is 0; scan_start_o is 1 in the clock that accepts it
     input  wire                 start_i,
+    // sampled with start_i: 0: all of the program; 1: steps entry_i to end_i - 1
+    input  wire                 range_i,
+    input  wire [         15:0] entry_i,
+    input  wire [         15:0] end_i,
     output wire                 scan_start_o,
     output wire                 busy_o,
     output wire                 done_o,
@@ -78,15 +83,19 @@ module fetch #(
   // ---- IF1 -------------------------------------------------------------------------------------
   reg f1_active_q;
   reg [PC_BITS:0] f1_pc_q;
-  wire f1_end = f1_active_q && f1_pc_q == length_q;
-  wire f1_valid = f1_active_q && f1_pc_q != length_q;
+  reg [PC_BITS:0] f1_stop_q;  // the step behind the last one
+  wire f1_end = f1_active_q && f1_pc_q == f1_stop_q;
+  wire f1_valid = f1_active_q && f1_pc_q != f1_stop_q;
 
   always @(posedge clk_i) begin
     if (!rst_ni) begin
       f1_active_q <= 1'b0;
     end else if (scan_start_o) begin
       f1_active_q <= 1'b1;
-      f1_pc_q <= {PC_BITS + 1{1'b0}};
+      f1_pc_q <= range_i ? entry_i[PC_BITS:0] : {PC_BITS + 1{1'b0}};
+      // The length may be loaded in the clock before start.
+      f1_stop_q <= range_i ? end_i[PC_BITS:0] :
+          load_length_i ? load_data_i[PC_BITS:0] : length_q;
     end else if (!d1_hold_i) begin
       f1_active_q <= f1_valid;
       f1_pc_q <= f1_pc_q + 1'b1;
@@ -128,6 +137,7 @@ module fetch #(
   endgenerate
 
   wire unused_addr = &{1'b0, load_addr_i[19:3+PC_BITS]};
+  wire unused_range = &{1'b0, entry_i[15:PC_BITS], end_i[15:PC_BITS]};
 
   // ---- IF2, IF3 --------------------------------------------------------------------------------
   reg f2_valid_q;

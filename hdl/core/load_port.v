@@ -36,6 +36,8 @@ module load_port #(
     output wire [                15:0] l_data_o,
     // to slot 0's ID1: an instruction, or 0
     output wire [INSTRUCTION_BITS-1:0] l_instruction_o,
+    // what slot 0 has in the clock after EX is an access
+    output wire                        w_access_o,
     // slot 0's results, in the clock after EX
     input  wire                        w_bit_i,
     input  wire [                15:0] w_word_i
@@ -112,6 +114,15 @@ module load_port #(
       l_space_q == SPACE_WORDS, d1_word_q, d2_word_q, d3_word_q, x_word_q
     };
   end
+
+  // Accesses on the same way, writes too.
+  reg d1_access_q, d2_access_q, d3_access_q, x_access_q, w_access_q;
+  always @(posedge clk_i) begin
+    {d1_access_q, d2_access_q, d3_access_q, x_access_q, w_access_q} <= {
+      l_valid_q, d1_access_q, d2_access_q, d3_access_q, x_access_q
+    };
+  end
+  assign w_access_o = w_access_q;
 
   assign load_rvalid_o = w_read_q;
   assign load_rdata_o  = w_word_q ? w_word_i : {15'd0, w_bit_i};

@@ -61,8 +61,12 @@ class Processor {
   // Writes 0 to every device; make_processor() has done it once.
   virtual void clear_devices() = 0;
 
-  // One scan of the loaded program. Throws std::runtime_error if it does not end in time.
+  // One scan of the loaded program. Throws std::runtime_error if it does not end in time, or if the
+  // write port does not show, two clocks later, each word that retires and nothing else.
   virtual ScanResult run_scan(const RetireObserver& on_retire) = 0;
+  // The same of steps `entry` to `end` - 1 alone.
+  virtual ScanResult run_range(std::uint16_t entry, std::uint16_t end,
+                               const RetireObserver& on_retire) = 0;
 };
 
 // A processor after reset, with all devices 0 and an empty program.

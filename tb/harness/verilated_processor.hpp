@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 
 #include "harness/clocked.hpp"
@@ -21,6 +22,7 @@ class VerilatedProcessor final : public Processor {
   explicit VerilatedProcessor(const isa::Config& config)
       : config_(config), slot_bits_(isa::slot_bits(kMpu, config)) {
     dut_->start_i = 0;
+    dut_->range_i = 0;
     dut_->load_valid_i = 0;
     reset();
     clear_devices();
@@ -77,25 +79,16 @@ class VerilatedProcessor final : public Processor {
   }
 
   ScanResult run_scan(const RetireObserver& on_retire) override {
-    const bool observe = static_cast<bool>(on_retire);
-    dut_->start_i = 1;
-    dut_.tick();
-    dut_->start_i = 0;
-    ScanResult result;
-    bool done = false;
-    while (!done) {
-      if (observe && dut_->retire_valid_o != 0) report(on_retire);
-      done = dut_->done_o != 0;
-      if (done) {
-        result.counted = dut_->clocks_o;
-        result.error = dut_->error_o != 0;
-      }
-      dut_.tick();
-      if (++result.clocks > clock_limit_) {
-        throw std::runtime_error(fmt::format("no end of the scan after {} clocks", clock_limit_));
-      }
-    }
-    return result;
+    dut_->range_i = 0;
+    return run(on_retire);
+  }
+
+  ScanResult run_range(std::uint16_t entry, std::uint16_t end,
+                       const RetireObserver& on_retire) override {
+    dut_->range_i = 1;
+    dut_->entry_i = entry;
+    dut_->end_i = end;
+    return run(on_retire);
   }
 
  private:
@@ -114,6 +107,55 @@ class VerilatedProcessor final : public Processor {
       bits |= shift >= 0 ? word << shift : word >> -shift;
     }
     return static_cast<std::uint16_t>(bits);
+  }
+
+  ScanResult run(const RetireObserver& on_retire) {
+    const bool observe = static_cast<bool>(on_retire);
+    dut_->start_i = 1;
+    dut_.tick();
+    dut_->start_i = 0;
+    // Sampled with start, so nothing may depend on them any more.
+    dut_->range_i = !dut_->range_i;
+    dut_->entry_i = ~dut_->entry_i;
+    dut_->end_i = ~dut_->end_i;
+    ScanResult result;
+    bool done = false;
+    while (!done) {
+      check_writes();
+      if (observe && dut_->retire_valid_o != 0) report(on_retire);
+      done = dut_->done_o != 0;
+      if (done) {
+        result.counted = dut_->clocks_o;
+        result.error = dut_->error_o != 0;
+      }
+      dut_.tick();
+      if (++result.clocks > clock_limit_) {
+        throw std::runtime_error(fmt::format("no end of the scan after {} clocks", clock_limit_));
+      }
+    }
+    check_writes();
+    return result;
+  }
+
+  // Words written in a clock, as the retire port has them: a slot's valid bit, address, data.
+  struct Writes {
+    std::uint32_t valid = 0;
+    std::uint32_t address = 0;
+    std::uint32_t data = 0;
+  };
+  void check_writes() {
+    const Writes& due = writes_[1];
+    bool right = dut_->write_valid_o == due.valid;
+    for (int slot = 0; slot < kSlots; ++slot) {
+      const std::uint32_t mask = 0xffffU << 16 * slot;
+      right = right &&
+              ((due.valid >> slot & 1) == 0 || ((dut_->write_addr_o ^ due.address) & mask) == 0);
+      right =
+          right && ((due.valid >> slot & 1) == 0 || ((dut_->write_data_o ^ due.data) & mask) == 0);
+    }
+    if (!right) throw std::runtime_error("the write port differs from what has retired");
+    writes_[1] = writes_[0];
+    writes_[0] = {dut_->retire_word_we_o, dut_->retire_word_addr_o, dut_->retire_word_data_o};
   }
 
   void write(LoadSpace space, std::uint32_t address, std::uint16_t data) {
@@ -161,6 +203,7 @@ class VerilatedProcessor final : public Processor {
   int slot_bits_;
   std::uint16_t length_ = 0;  // of the loaded program
   std::uint32_t clock_limit_ = 1000;
+  std::array<Writes, 2> writes_{};  // of the last two clocks of a scan, the last one first
   Clocked<Dut> dut_;
 };
 

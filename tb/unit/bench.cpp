@@ -88,20 +88,39 @@ testing::AssertionResult Bench::scan(const std::vector<Step>& program) {
 }
 
 testing::AssertionResult Bench::scan_again() {
+  return compare(program_, 0, [this](const RetireObserver& seen) { return rtl_->run_scan(seen); });
+}
+
+testing::AssertionResult Bench::scan_range(std::size_t entry, std::size_t end) {
+  const auto begin = program_.begin();
+  return compare(
+      {begin + static_cast<std::ptrdiff_t>(entry), begin + static_cast<std::ptrdiff_t>(end)}, entry,
+      [&](const RetireObserver& seen) {
+        return rtl_->run_range(static_cast<std::uint16_t>(entry), static_cast<std::uint16_t>(end),
+                               seen);
+      });
+}
+
+testing::AssertionResult Bench::compare(
+    const std::vector<Step>& program, std::size_t first,
+    const std::function<ScanResult(const RetireObserver&)>& run) {
   retired_.clear();
-  const ScanResult result = rtl_->run_scan([this](const Retired& r) { retired_.push_back(r); });
+  const ScanResult result = run([&](const Retired& r) {
+    retired_.push_back(r);
+    retired_.back().step -= static_cast<std::uint32_t>(first);
+  });
   // A waiting instruction completes after what stands beside it in its step.
   std::stable_sort(retired_.begin(), retired_.end(), [](const Retired& a, const Retired& b) {
     return std::tie(a.step, a.slot) < std::tie(b.step, b.slot);
   });
   std::uint32_t clocks = 0;
-  const std::vector<Retired> expected = model_.scan(program_, clocks);
+  const std::vector<Retired> expected = model_.scan(program, clocks);
   for (std::size_t i = 0; i < std::min(expected.size(), retired_.size()); ++i) {
     if (same(expected[i], retired_[i])) continue;
     const Retired& want = expected[i];
     return testing::AssertionFailure() << fmt::format(
                "step {} slot {} ({}): expected {}, got step {} slot {}: {}", want.step, want.slot,
-               isa::info(program_[want.step][want.slot].opcode).name, describe(want),
+               isa::info(program[want.step][want.slot].opcode).name, describe(want),
                retired_[i].step, retired_[i].slot, describe(retired_[i]));
   }
   if (expected.size() != retired_.size()) {

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -48,6 +49,8 @@ class Bench {
   testing::AssertionResult scan(const std::vector<Step>& program);
   // Runs the program loaded last once more.
   testing::AssertionResult scan_again();
+  // Runs steps `entry` to `end` - 1 of the program loaded last alone.
+  testing::AssertionResult scan_range(std::size_t entry, std::size_t end);
   // Reads every device back through the load port.
   testing::AssertionResult devices_equal();
 
@@ -55,6 +58,10 @@ class Bench {
   const std::vector<Retired>& retired() const { return retired_; }
 
  private:
+  // Runs `program`, which is what lies from step `first` on, on both by `run`, and compares.
+  testing::AssertionResult compare(const std::vector<Step>& program, std::size_t first,
+                                   const std::function<ScanResult(const RetireObserver&)>& run);
+
   Target target_;
   std::shared_ptr<Processor> rtl_;
   StepModel model_;

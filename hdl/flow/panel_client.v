@@ -4,7 +4,8 @@
 // that cannot be; no_reply at its deadline, timeout_ms_i and up to a millisecond after it was accepted (up to 32767),
 // however far it has come. Words of a read are in the block only with done; with another status it may hold anything.
 //
-// A frame ends with a silence of 37.5 bits, from the middle of a stop bit, and 1.75 ms, and none is sent before that.
+// A frame ends with a silence of 40 bits, from the middle of its stop bit, and of 1.75 ms; none is sent before that, so
+// that 3.5 characters are between frames, also behind two stop bits.
 // What is no answer to the request (wrong CRC, unit, function, count) is counted in bad_o, and the answer is still
 // awaited. What comes while de_o is 1 is our own.
 //
@@ -79,7 +80,7 @@ module panel_client #(
   localparam [2:0] AWAIT = 3'd4;
   localparam [2:0] DONE = 3'd5;
 
-  localparam [8:0] SILENCE = 9'd300;  // eighths of a bit
+  localparam [8:0] SILENCE = 9'd320;  // eighths of a bit
   localparam integer LEAST = CLOCK_HZ / 4000 * 7;
   localparam integer LEAST_BITS = $clog2(LEAST + 1);
   // verilator lint_off WIDTH

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// hdl/flow/panel_client.v between a model of the scheduler and its pool, and a Modbus RTU server on its line. The
-// server answers in order, as servers do. What it reads from a register says in which of its answers, so that an answer
-// to another request shows.
+// hdl/flow/panel_client.v between a model of the scheduler and its pool, and a Modbus RTU server on
+// its line. The server answers in order, as servers do. What it reads from a register says in which
+// of its answers, so that an answer to another request shows.
 #pragma once
 
 #include <cstdint>
@@ -54,6 +54,7 @@ class PanelServer {
     std::vector<std::uint16_t> words;  // of a write, or of the answer to a read
     unsigned count = 0;
     Answer answer = Answer::Right;
+    std::uint64_t begun_at = 0;  // its start bit
   };
   // All that came whole, but for FC 8.
   const std::vector<Request>& requests() const { return requests_; }
@@ -78,7 +79,7 @@ class PanelServer {
   std::deque<Sending> to_send_;
   Frame heard_;
   std::uint64_t quiet_since_ = 0;  // on both lines
-  std::uint64_t heard_at_ = 0;
+  std::uint64_t begun_at_ = 0, heard_at_ = 0;
   std::uint64_t free_at_ = 0;
   std::vector<Request> requests_;
   int probes_ = 0, broken_ = 0, too_close_ = 0;
@@ -98,7 +99,6 @@ class PanelBench {
     std::optional<int> status;
     std::uint64_t done_at = 0;
     std::vector<std::uint16_t> read;
-    std::size_t served_from = 0, served_to = 0;  // the server's requests between the one before and this one's end
   };
 
   // The number of the request. There has to be a free block.
@@ -134,7 +134,6 @@ class PanelBench {
   std::deque<std::size_t> to_offer_, outstanding_;
   std::uint64_t now_ = 0;
   std::uint64_t millisecond_at_;
-  std::size_t served_ = 0;
 };
 
 }  // namespace rung::tb

@@ -81,6 +81,7 @@ module panel_client #(
   localparam [2:0] DONE = 3'd5;
 
   localparam [8:0] SILENCE = 9'd320;  // eighths of a bit
+  localparam [8:0] TWO_BITS = 9'd16;
   localparam integer LEAST = CLOCK_HZ / 4000 * 7;
   localparam integer LEAST_BITS = $clog2(LEAST + 1);
   // verilator lint_off WIDTH
@@ -182,7 +183,8 @@ module panel_client #(
     end else begin
       phase_q <= phase[19:0];
       if (phase[20] && eighths_q != SILENCE) eighths_q <= eighths_q + 9'd1;
-      if (clocks_q != LEAST_CLOCKS) clocks_q <= clocks_q + {{LEAST_BITS - 1{1'b0}}, 1'b1};
+      if (eighths_q >= TWO_BITS && clocks_q != LEAST_CLOCKS)
+        clocks_q <= clocks_q + {{LEAST_BITS - 1{1'b0}}, 1'b1};
     end
     if (!rst_ni) echo_q <= 1'b0;
     else echo_q <= rx_active && (ours || echo_q);

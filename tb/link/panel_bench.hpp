@@ -28,6 +28,7 @@ enum class Answer : std::uint8_t {
   WrongUnit,
   WrongCount,
   Halves,  // right, with a pause of less than 3.5 characters
+  BehindNoise,
   Exception,
   Silent
 };

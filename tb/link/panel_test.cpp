@@ -79,9 +79,9 @@ TEST(Panel, DriverEnableCoversWhatIsSent) {
   bool was = false, ended = false;
   for (int i = 0; i < 30000; ++i) {
     bench.clock();
-    if (bench->tx_o == 0) EXPECT_EQ(bench->de_o, 1);
+    EXPECT_TRUE(bench->tx_o != 0 || bench->de_o != 0);
     if (was && bench->de_o == 0) ended = true;
-    if (ended) EXPECT_EQ(bench->de_o, 0);  // once, without a gap
+    EXPECT_FALSE(ended && bench->de_o != 0);  // once, without a gap
     was = bench->de_o != 0;
   }
   EXPECT_TRUE(ended);
@@ -141,16 +141,29 @@ INSTANTIATE_TEST_SUITE_P(All, PanelFaults,
                          testing::Values(Answer::WrongCrc, Answer::WrongParity, Answer::WrongUnit,
                                          Answer::WrongCount, Answer::Silent));
 
+TEST(Panel, APauseInAnAnswer) {
+  PanelBench bench(9, kBit, Parity::Even, kTimeout);
+  bench.server.plan({Answer::Halves, ms(1)});
+  bench.ask(false, 3, 32);
+  bench.run_to_end();
+  EXPECT_EQ(bench.asked(0).status, flow::flow_status_done);
+  bench.check(0);
+}
+
 // What is no answer does not end the request: the answer may come behind it.
 TEST(Panel, AnAnswerBehindNoise) {
   PanelBench bench(9, kBit, Parity::Even, kTimeout);
-  bench.server.plan({Answer::Halves, ms(1)});
-  bench.server.plan({Answer::WrongCrc, ms(1)});
-  bench.server.plan({Answer::Right, ms(1)});
-  const auto halves = bench.ask(false, 3, 32);
+  for (int i = 0; i < 2; ++i) {
+    bench.server.plan({Answer::BehindNoise, ms(1)});
+    bench.ask(i == 1, 3, 6);
+  }
   bench.run_to_end();
-  EXPECT_EQ(bench.asked(halves).status, flow::flow_status_done);
-  bench.check(halves);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(bench.asked(i).status, flow::flow_status_done);
+    bench.check(i);
+  }
+  EXPECT_EQ(bench.bad(), 2);
+  EXPECT_EQ(bench.server.probes(), 0);
 }
 
 // One that is dead fails all that wait for it at their own timeouts, not one after the other.
@@ -187,12 +200,12 @@ class PanelLate : public testing::TestWithParam<Echo> {};
 
 TEST_P(PanelLate, IsNeverTheNextOnes) {
   int done = 0;
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < 30; ++i) {
     PanelBench bench(12 + i, kBit, Parity::Even, 20);
     bench.server.echo = GetParam();
     const bool write = i % 4 == 3;
     // Up to two timeouts too late. For a panel without FC 8 two more are made sure of.
-    bench.server.plan({Answer::Right, ms(18) + static_cast<std::uint64_t>(i) * ms(0.7)});
+    bench.server.plan({Answer::Right, ms(18) + static_cast<std::uint64_t>(i) * ms(1.4)});
     for (int turn = 0; turn < 5; ++turn) {
       const auto number = bench.ask(write, 7, 6);
       bench.run_to_end();
@@ -202,7 +215,7 @@ TEST_P(PanelLate, IsNeverTheNextOnes) {
     }
     EXPECT_EQ(bench.asked(4).status, flow::flow_status_done) << i;
   }
-  EXPECT_GT(done, 100);
+  EXPECT_GT(done, 50);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, PanelLate,
@@ -219,7 +232,7 @@ TEST(Panel, LaterThanAnyTimeout) {
   bench.run_to_end();
   EXPECT_EQ(bench.server.probes(), 1);
   bench.server.plan({Answer::Right, ms(205)});
-  for (int i = 0; i < 30; ++i) {
+  for (int i = 0; i < 60; ++i) {
     const auto number = bench.ask(false, 7, 6);
     bench.run_to_end();
     bench.check(number);
@@ -242,7 +255,7 @@ void random_run(int seed) {
     for (; plans < static_cast<int>(bench.server.requests().size()) + 3; ++plans) {
       const unsigned kind = random() % 16;
       bench.server.plan(
-          {kind < 8 ? static_cast<Answer>(kind) : Answer::Right,
+          {kind < 9 ? static_cast<Answer>(kind) : Answer::Right,
            ms(static_cast<double>(random() % 4 == 0 ? random() % 150 : random() % 8))});
     }
     if (bench.room() && random() % 3 == 0) {
@@ -264,7 +277,7 @@ void random_run(int seed) {
 TEST(Panel, Random) {
   const char* const only = std::getenv("RUNG_SEED");
   const int from = only != nullptr ? std::stoi(only) : 1;
-  for (int seed = from; seed <= (only != nullptr ? from : 4); ++seed) {
+  for (int seed = from; seed <= (only != nullptr ? from : 3); ++seed) {
     random_run(seed);
     if (testing::Test::HasFailure()) {
       FAIL() << "seed " << seed << "; replay: RUNG_SEED=" << seed

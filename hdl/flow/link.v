@@ -103,7 +103,6 @@ module link #(
   wire [7:0] upper_ring_data;
   wire [7:0] lower_ring_data;
   wire [1:0] ring_free;
-  wire [1:0] ring_free_ready;
   wire [3:0] lane_free;
   wire [3:0] lane_commit;
   wire [6:0] lane_length;
@@ -170,7 +169,6 @@ module link #(
       .read_index_i (ring_index),
       .read_data_o  (upper_ring_data),
       .free_i       (ring_free[0]),
-      .free_ready_o (ring_free_ready[0]),
       .lane_free_o  (lane_free[1:0]),
       .lane_commit_i(lane_commit[1:0]),
       .lane_length_i(lane_length),
@@ -200,7 +198,6 @@ module link #(
       .read_index_i (ring_index),
       .read_data_o  (lower_ring_data),
       .free_i       (ring_free[1]),
-      .free_ready_o (ring_free_ready[1]),
       .lane_free_o  (lane_free[3:2]),
       .lane_commit_i(lane_commit[3:2]),
       .lane_length_i(lane_length),
@@ -263,7 +260,6 @@ module link #(
       .upper_data_i       (upper_ring_data),
       .lower_data_i       (lower_ring_data),
       .ring_free_o        (ring_free),
-      .ring_free_ready_i  (ring_free_ready),
       .lane_free_i        (lane_free),
       .lane_commit_o      (lane_commit),
       .lane_length_o      (lane_length),

@@ -30,7 +30,6 @@ module link_dispatch (
     input  wire [ 7:0] upper_data_i,
     input  wire [ 7:0] lower_data_i,
     output wire [ 1:0] ring_free_o,
-    input  wire [ 1:0] ring_free_ready_i,
     // buffers to send from: bits 1:0 upper side's reply and request, 3:2 lower side's
     input  wire [ 3:0] lane_free_i,
     output wire [ 3:0] lane_commit_o,
@@ -206,9 +205,8 @@ module link_dispatch (
   wire [4:0] word_index = index_q[4:0];
   wire last_word = index_q[5:0] + 6'd1 == head_count;
   wire [7:0] ring_data = side_q ? lower_data_i : upper_data_i;
-  wire free_ready = ring_free_ready_i[side_q];
   wire nobody = state_q == TABLE && index_q[1:0] == 2'd1 && table_data_i[15];
-  wire finished = state_q == FINISH && (own_q || free_ready);
+  wire finished = state_q == FINISH;
   // Lane of the frame: replies or requests; side: own frames' or across.
   wire lane_request = !(head_type == READ_REPLY || head_type == WRITE_REPLY);
   wire lane_side = own_q ? side_q : !side_q;

@@ -21,7 +21,6 @@ module link_hop #(
     input  wire [ 6:0] read_index_i,
     output wire [ 7:0] read_data_o,
     input  wire        free_i,
-    output wire        free_ready_o,
     // frames to send
     output wire [ 1:0] lane_free_o,
     input  wire [ 1:0] lane_commit_i,
@@ -45,6 +44,7 @@ module link_hop #(
   wire [7:0] tx_data;
   wire tx_ready;
   wire tx_busy;
+  wire ring_begin;
   wire ring_write;
   wire [6:0] ring_index;
   wire [7:0] ring_data;
@@ -82,6 +82,7 @@ module link_hop #(
       .byte_valid_i  (rx_valid),
       .byte_i        (rx_data),
       .byte_error_i  (rx_error),
+      .begin_o       (ring_begin),
       .write_o       (ring_write),
       .write_index_o (ring_index),
       .write_data_o  (ring_data),
@@ -102,6 +103,7 @@ module link_hop #(
   receive_ring ring (
       .clk_i         (clk_i),
       .rst_ni        (rst_ni),
+      .begin_i       (ring_begin),
       .write_i       (ring_write),
       .write_index_i (ring_index),
       .write_data_i  (ring_data),
@@ -114,8 +116,7 @@ module link_hop #(
       .read_i        (read_i),
       .read_index_i  (read_index_i),
       .read_data_o   (read_data_o),
-      .free_i        (free_i),
-      .free_ready_o  (free_ready_o)
+      .free_i        (free_i)
   );
 
   link_send send (

@@ -31,6 +31,7 @@ module link_receive #(
     input  wire [ 7:0] byte_i,
     input  wire        byte_error_i,
     // receive ring
+    output wire        begin_o,
     output wire        write_o,
     output wire [ 6:0] write_index_o,
     output wire [ 7:0] write_data_o,
@@ -192,7 +193,7 @@ module link_receive #(
   // ---- what becomes of it ----
   wire data_right = right && !control;
   wire repeated = code_q[0] != due_q;
-  wire room = room_q && any_room_i && (reply || request_room_i);
+  wire room = room_q && (reply || request_room_i);
   wire take = data_right && synced_q && !repeated && room;
   wire refuse = data_right && synced_q && !repeated && !room;
   wire start = right && kind_q == START;
@@ -217,7 +218,8 @@ module link_receive #(
     end
   end
 
-  assign write_o = framing && byte_valid_i && index_q != HEAD;
+  assign begin_o = framing && byte_valid_i && index_q == HEAD;
+  assign write_o = framing && byte_valid_i && index_q != HEAD && room_q;
   assign write_index_o = index_q - 7'd1;
   assign write_data_o = byte_i;
   assign commit_o = take;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What this unit has to send of its own, by block of the pool: the scheduler's requests and its replies to event
 // commands, each until it is sent, and requests until they are complete. A block has one at a time, so that the table
-// has room for all that there can be.
+// has room for all that there can be. In the 32 clocks after reset it takes nothing.
 //
 // A request or reply is taken in a clock; the next one can be in the fifth clock after it. Words of a block
 // (read data in the clock after read_i):
@@ -57,9 +57,12 @@ module link_table (
   localparam [5:0] MOST_WORDS = 6'd32;
   localparam [1:0] LAST = 2'd3;
 
-  reg [31:0] open_q;
-  reg [31:0] queued_q;
-  reg [31:0] lower_q;
+  // Marks of the blocks, in LUT memories with a write port each: queued is where entered and left differ, open
+  // likewise. After reset all are made equal, a block a clock.
+  reg [2:0] entered_q[0:31];  // lower side, open, queued
+  reg [1:0] left_q[0:31];  // open, queued
+  reg clearing_q;
+  reg [4:0] clear_q;
   reg [6:0] use_q[0:31];
   reg [3:0] event_use_q[0:7];
 
@@ -77,12 +80,11 @@ module link_table (
   wire [3:0] unit = req_unit_i[3:0];
   wire nobody = req_unit_i[7:4] != 4'd0 || unit == 4'd0 || unit == unit_i ||
       req_count_i == 6'd0 || req_count_i > MOST_WORDS;
-  wire [6:0] next_use = use_q[req_block_i] + 7'd1;
   wire entered = busy_q && word_q == LAST;
 
   // No reset: see above.
   always @(posedge clk_i) begin
-    if (take_request) use_q[req_block_i] <= next_use;
+    if (entered && !reply_q) use_q[block_q] <= tag_q[6:0] + 7'd1;
     if (event_given_i) event_use_q[event_block_i] <= event_use_i;
   end
 
@@ -92,7 +94,7 @@ module link_table (
       block_q <= req_block_i;
       route_q <= {nobody, req_write_i, req_count_i, 4'd0, unit};
       first_q <= req_first_i;
-      tag_q   <= {req_board_i, 1'b0, next_use};
+      tag_q   <= {req_board_i, 1'b0, use_q[req_block_i]};
     end else if (take_reply) begin
       reply_q <= 1'b1;
       block_q <= reply_block_i;
@@ -107,18 +109,27 @@ module link_table (
   end
 
   always @(posedge clk_i) begin
-    if (!rst_ni) begin
-      open_q   <= 32'd0;
-      queued_q <= 32'd0;
-    end else begin
-      if (sent_i || ended_i) queued_q[block_i] <= 1'b0;
-      if (ended_i) open_q[block_i] <= 1'b0;
-      if (entered) begin
-        queued_q[block_q] <= 1'b1;
-        open_q[block_q]   <= !reply_q;
-      end
+    clearing_q <= !rst_ni || (clearing_q && clear_q != 5'd31);
+    clear_q <= clearing_q && rst_ni ? clear_q + 5'd1 : 5'd0;
+  end
+
+  wire [2:0] entered_marks = entered_q[block_i];
+  wire [1:0] left_marks = left_q[block_i];
+  wire [1:0] marks = entered_marks[1:0] ^ left_marks;
+  wire leaves = sent_i || ended_i;
+  wire [4:0] enter_block = clearing_q ? clear_q : block_q;
+  wire [4:0] leave_block = clearing_q ? clear_q : block_i;
+  wire lower = route_q[3:0] > unit_i;
+  wire [1:0] to_differ = ~left_q[block_q];
+
+  always @(posedge clk_i) begin
+    if (clearing_q || entered) begin
+      entered_q[enter_block] <= clearing_q ? 3'd0 : {lower, to_differ[1] ^ reply_q, to_differ[0]};
     end
-    if (entered) lower_q[block_q] <= route_q[3:0] > unit_i;
+    if (clearing_q || leaves) begin
+      left_q[leave_block] <= clearing_q ? 2'd0 :
+          {ended_i ? entered_marks[1] : left_marks[1], entered_marks[0]};
+    end
   end
 
   wire [15:0] word = word_q == 2'd0 ? deadline_i : word_q == 2'd1 ? route_q :
@@ -139,11 +150,11 @@ module link_table (
       .write_data_i(word)
   );
 
-  assign req_ready_o = !busy_q;
-  assign reply_ready_o = !busy_q && !req_valid_i;
-  assign open_o = open_q[block_i];
-  assign queued_o = queued_q[block_i];
-  assign lower_o = lower_q[block_i];
+  assign req_ready_o = !busy_q && !clearing_q;
+  assign reply_ready_o = req_ready_o && !req_valid_i;
+  assign open_o = marks[1] && !clearing_q;
+  assign queued_o = marks[0] && !clearing_q;
+  assign lower_o = entered_marks[2];
 
 endmodule
 

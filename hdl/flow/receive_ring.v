@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Receive ring of one side of the link: places of 128 bytes in a block RAM, and a ring that registers the head of
-// each received record, in the order in which they came: its place and its class. The record is never moved; what
-// reads it gets its head from the ring and its bytes from their place.
+// Receive ring of one side of the link: places of 128 bytes in a block RAM, and a ring for each class of
+// records that registers the heads of those received, in the order in which they came: each head is the number of
+// the record's place. The record is never moved; what reads it gets its head from the ring and its bytes from there.
 //
-// A frame is written into the next free place byte by byte, and becomes a record with commit_i, which needs
-// room_o; until then nobody sees it, and the next frame is written over it. Records leave in any order (free_i), so
-// that one that has to wait does not hold up others: the oldest of class find_class_i is found in the clock. The last
-// free place is kept for replies: room_o is 1 for a reply if a place is free, for a request if two are.
-// free_i takes what is found away; it is ignored in the clock of a commit_i (free_ready_o is 0).
+// A frame is written into a free place byte by byte, from begin_i on, and becomes a record with commit_i, which needs
+// room; until then nobody sees it, and the next frame is written over it. One ring for each class, so that
+// records that have to wait do not hold up others. The last free place is kept for replies: any_room_o is 1 if a
+// place is free, request_room_o if two are.
+// found_o and the bytes that are read are those of the oldest record of class find_class_i; free_i takes it away.
 // Read data are there in the clock after read_i.
 `default_nettype none
 
@@ -15,6 +15,7 @@ module receive_ring (
     input  wire       clk_i,
     input  wire       rst_ni,
     // a frame comes
+    input  wire       begin_i,
     input  wire       write_i,
     input  wire [6:0] write_index_i,
     input  wire [7:0] write_data_i,
@@ -28,74 +29,71 @@ module receive_ring (
     input  wire       read_i,
     input  wire [6:0] read_index_i,
     output wire [7:0] read_data_o,
-    input  wire       free_i,
-    output wire       free_ready_o
+    input  wire       free_i
 );
 
-  // The ring: places of the records, oldest first, behind them the free places. Each place is in it once, so
-  // that taking one out and putting it at the end is all that happens when it becomes free.
-  reg [23:0] places_q;
-  reg [15:0] classes_q;
-  reg [ 3:0] count_q;
+  reg [ 2:0] heads_q[0:31];
+  // Of each class: where the oldest head is in its ring of eight, and one bit more.
+  reg [15:0] first_q;
+  reg [15:0] next_q;  // where the next one goes
+  reg [ 7:0] used_q;  // places with records
+  reg [ 3:0] free_q;  // places without
+  reg [ 2:0] place_q;  // of the frame that comes
+
+  wire [ 3:0] first = first_q[4*find_class_i+:4];
+  wire [ 3:0] next = next_q[4*find_class_i+:4];
+  wire [ 3:0] commit_next = next_q[4*commit_class_i+:4];
+  wire [ 2:0] place = heads_q[{find_class_i, first[2:0]}];
+  wire        found = first != next;
+  wire        leaves = free_i && found;
 
   integer i;
-  reg [2:0] position;
-  reg found;
+  integer k;
+  reg [2:0] free_place;
   always @(*) begin
-    position = 3'd0;
-    found = 1'b0;
-    for (i = 7; i >= 0; i = i - 1) begin
-      if (i[3:0] < count_q && classes_q[2*i+:2] == find_class_i) begin
-        position = i[2:0];
-        found = 1'b1;
-      end
-    end
+    free_place = 3'd0;
+    for (i = 7; i >= 0; i = i - 1) if (!used_q[i]) free_place = i[2:0];
   end
-
-  wire [2:0] found_place = places_q[3*position+:3];
-  wire [2:0] write_place = places_q[3*count_q[2:0]+:3];
-  wire free = free_i && found && !commit_i;
 
   always @(posedge clk_i) begin
-    if (!rst_ni) begin
-      places_q <= {3'd7, 3'd6, 3'd5, 3'd4, 3'd3, 3'd2, 3'd1, 3'd0};
-      count_q  <= 4'd0;
-    end else if (commit_i) begin
-      count_q <= count_q + 4'd1;
-    end else if (free) begin
-      count_q <= count_q - 4'd1;
-      for (i = 0; i < 7; i = i + 1) begin
-        if (i[2:0] >= position) places_q[3*i+:3] <= places_q[3*i+3+:3];
-      end
-      places_q[23:21] <= found_place;
-    end
+    if (begin_i) place_q <= free_place;
+    if (commit_i) heads_q[{commit_class_i, commit_next[2:0]}] <= place_q;
 
-    if (commit_i) begin
-      classes_q[2*count_q[2:0]+:2] <= commit_class_i;
-    end else if (free) begin
-      for (i = 0; i < 7; i = i + 1) begin
-        if (i[2:0] >= position) classes_q[2*i+:2] <= classes_q[2*i+2+:2];
+    if (!rst_ni) begin
+      first_q <= 16'd0;
+      next_q <= 16'd0;
+      used_q <= 8'd0;
+      free_q <= 4'd8;
+    end else begin
+      for (k = 0; k < 4; k = k + 1) begin
+        if (leaves && find_class_i == k[1:0]) first_q[4*k+:4] <= first + 4'd1;
+        if (commit_i && commit_class_i == k[1:0]) next_q[4*k+:4] <= commit_next + 4'd1;
       end
+      for (k = 0; k < 8; k = k + 1) begin
+        if (leaves && place == k[2:0]) used_q[k] <= 1'b0;
+        if (commit_i && place_q == k[2:0]) used_q[k] <= 1'b1;
+      end
+      if (leaves && !commit_i) free_q <= free_q + 4'd1;
+      else if (commit_i && !leaves) free_q <= free_q - 4'd1;
     end
   end
 
-  assign any_room_o = !count_q[3];
-  assign request_room_o = count_q < 4'd7;
+  assign any_room_o = free_q != 4'd0;
+  assign request_room_o = free_q[3:1] != 3'd0;
   assign found_o = found;
-  assign free_ready_o = !commit_i;
 
   bank_ram #(
       .WIDTH(8),
       .DEPTH(1024),
       .ADDR_BITS(10),
       .CLEARED(0)
-  ) bytes (
+  ) places (
       .clk_i       (clk_i),
       .read_i      (read_i),
-      .read_addr_i ({found_place, read_index_i}),
+      .read_addr_i ({place, read_index_i}),
       .read_data_o (read_data_o),
-      .write_i     (write_i && any_room_o),
-      .write_addr_i({write_place, write_index_i}),
+      .write_i     (write_i),
+      .write_addr_i({place_q, write_index_i}),
       .write_data_i(write_data_i)
   );
 

@@ -32,7 +32,8 @@ std::size_t frame_length(std::span<const std::uint8_t> bytes, bool reply) {
   if (bytes.size() < 2) return 0;
   constexpr std::size_t kCrc = 2;
   if ((bytes[1] & kException) != 0) return 3 + kCrc;
-  if (reply ? bytes[1] == 16 : bytes[1] == 3) return 6 + kCrc;
+  // Return query data: the probe of a client that has missed an answer, and its echo.
+  if (bytes[1] == 8 || (reply ? bytes[1] == 16 : bytes[1] == 3)) return 6 + kCrc;
   const std::size_t count_at = reply ? 2 : 6;
   if (bytes.size() <= count_at) return 0;
   return count_at + 1 + bytes[count_at] + kCrc;

@@ -198,7 +198,7 @@ module flow_step (
   assign write_o = for_q == FOR_STORE;
   assign block_o = state_q == STORED ? peek_block_i : block_q;
   assign task_block_take_o = begins && needs_block;
-  assign lock_o = (begins && needs_block && exclusive_i) || (state_q == LOCK && after_lock_q);
+  assign lock_o = (begins && needs_block && exclusive_i) || (state_q == LOCK && after_lock_q && own_q);
   assign lock_board_o = state_q == LOCK ? after_board_q : board_i;
 
   assign step_read_o = state_q == ROW || state_q == AWAIT_ROW;
@@ -332,7 +332,7 @@ module flow_step (
               // lock_o has done this one.
               after_lock_q <= 1'b0;
               state_q <= status_due_q ? STATUS : RUN;
-              start_q <= !status_due_q;
+              start_q <= begins && !status_due_q;
             end
           end
           FOR_BEFORE: state_q <= LOCK;

@@ -197,6 +197,8 @@ class Story {
     EXPECT_EQ(rig_.bus_read(reg_flow_late), 1000 + c.vanished);
     for (int task = 0; task < tasks; ++task) {
       EXPECT_EQ(rig_.state(task), model.state(task)) << "state of task " << task;
+      if ((model.state(task) & 4) == 0)
+        continue;  // the step of a task that is stopped says nothing
       EXPECT_EQ(rig_.step(task), model.step(task)) << "step of task " << task;
     }
     for (int word = kFirstData; word < kWords; ++word) {

@@ -77,6 +77,8 @@ class Rig {
   virtual void bus_write(int address, int value) = 0;
   virtual std::uint16_t bus_read(int address) = 0;
   virtual void idle(int clocks) = 0;
+  // Setup register `enable`.
+  virtual void enable(int bits) = 0;
   // A program's start: the first round behind it finds the tasks as the table says.
   virtual void first() = 0;
   // One round; with `abort_after`, the watchdog strikes after so many clocks.
@@ -86,6 +88,8 @@ class Rig {
   std::function<Answer(const Request&)> answer;
   // Requests that are held, in their order; release() carries one out.
   virtual std::vector<Request> held() const = 0;
+  // All that have not been answered.
+  virtual std::vector<Request> outstanding() const = 0;
   virtual void release(std::size_t which, const Answer& answer) = 0;
   // Clocks until all that was let go has come, but what is held.
   virtual void drain() = 0;

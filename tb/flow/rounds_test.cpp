@@ -218,7 +218,10 @@ class Rounds : public testing::TestWithParam<isa::Mpu> {};
 TEST_P(Rounds, RandomPrograms) {
   const char* given = std::getenv("RUNG_SEED");
   const std::uint32_t first = given != nullptr ? static_cast<std::uint32_t>(std::atol(given)) : 1;
-  const std::uint32_t count = given != nullptr ? 1 : 120;
+  const char* many = std::getenv("RUNG_COUNT");
+  const std::uint32_t count = given != nullptr  ? 1
+                              : many != nullptr ? static_cast<std::uint32_t>(std::atol(many))
+                                                : 60;
   const auto rig = make_rig(GetParam());
   for (std::uint32_t seed = first; seed < first + count; ++seed) {
     SCOPED_TRACE(

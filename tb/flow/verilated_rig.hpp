@@ -146,6 +146,10 @@ class VerilatedRig final : public Rig {
     for (int i = 0; i < clocks; ++i) tick();
   }
 
+  void enable(int bits) override {
+    flow(rung::flow::space_flow_setup, rung::flow::flow_setup_enable, bits);
+  }
+
   void first() override {
     dut_->first_i = 1;
     tick();
@@ -183,6 +187,12 @@ class VerilatedRig final : public Rig {
       if (job->state == Job::Held) held.push_back(job->request);
     }
     return held;
+  }
+
+  std::vector<Request> outstanding() const override {
+    std::vector<Request> all;
+    for (const auto& job : jobs_) all.push_back(job->request);
+    return all;
   }
 
   void release(std::size_t which, const Answer& answer) override {

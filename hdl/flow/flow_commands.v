@@ -110,38 +110,38 @@ module flow_commands (
   // ---- the ring: numbers of event blocks in the order in which they are looked at -------------------------
   reg [3:0] state_q;
   reg of_pc_q;
-  reg [23:0] ring_q;
+  (* ram_style = "distributed" *) reg [2:0] ring[0:7];
+  reg [2:0] read_q;
+  reg [2:0] write_q;
   reg [3:0] held_q;  // how many
   reg [3:0] left_q;  // of them in this round
   reg [2:0] head_q;  // number of the block that is looked at
   reg [7:0] waits_q;  // for data
   reg [7:0] replies_q;  // all is done but the reply
-  wire [2:0] head = ring_q[2:0];
   wire leave = state_q == LEAVE && reply_ready_i;
   wire rotate = state_q == NEXT;
   wire accept = event_valid_i && event_ready_o;
-  wire [23:0] shifted = {3'd0, ring_q[23:3]};
-  wire [3:0] behind = held_q - 4'd1;
 
   assign event_ready_o = event_block_valid_i && state_q != LEAVE && !rotate;
 
   always @(posedge clk_i) begin
-    if (accept) ring_q[5'd3*held_q[2:0]+:3] <= event_block_i[2:0];
-    if (rotate) begin
-      ring_q <= shifted;
-      ring_q[5'd3*behind[2:0]+:3] <= head;
+    if (accept || rotate) ring[write_q] <= rotate ? head_q : event_block_i[2:0];
+    if (!rst_ni) begin
+      {read_q, write_q} <= 6'd0;
+      held_q <= 4'd0;
+    end else begin
+      if (accept || rotate) write_q <= write_q + 3'd1;
+      if (leave || rotate) read_q <= read_q + 3'd1;
+      held_q <= held_q + {{3{leave}}, accept || leave};
     end
-    if (leave) ring_q <= shifted;
-    if (!rst_ni) held_q <= 4'd0;
-    else if (accept) held_q <= held_q + 4'd1;
-    else if (leave) held_q <= behind;
+    head_q <= ring[read_q];
   end
 
   // ---- what the event commands are -------------------------------------------------------------------
   localparam WIDTH = 47;
   (* ram_style = "distributed" *) reg [WIDTH-1:0] events[0:7];
   (* ram_style = "distributed" *) reg [7:0] finals[0:7];  // status that a reply will have
-  reg [WIDTH-1:0] event_q;
+  wire [WIDTH-1:0] event_now = events[head_q];
   reg [7:0] status_q;
   wire write_final = state_q == FINISH && !of_pc_q;
   always @(posedge clk_i) begin
@@ -151,14 +151,10 @@ module flow_commands (
       };
     end
     if (write_final) finals[head_q] <= status_q;
-    if (state_q == EVENT) begin
-      event_q <= events[head];
-      head_q  <= head;
-    end
   end
-  wire [7:0] event_board = event_q[45:38];
-  wire [15:0] event_first = event_q[37:22];
-  wire [5:0] event_count = event_q[21:16];
+  wire [7:0] event_board = event_now[45:38];
+  wire [15:0] event_first = event_now[37:22];
+  wire [5:0] event_count = event_now[21:16];
   wire [4:0] block = of_pc_q ? PC_BLOCK : FIRST_EVENT + {2'd0, head_q};
 
   assign take_o = state_q == TAKE;
@@ -166,7 +162,7 @@ module flow_commands (
   assign first_o = of_pc_q ? pc_first_q : event_first;
   assign count_o = of_pc_q ? pc_count_q : {10'd0, event_count};
   assign block_o = block;
-  assign write_o = of_pc_q ? pc_write_q : event_q[46];
+  assign write_o = of_pc_q ? pc_write_q : event_now[46];
 
   // ---- the course ----------------------------------------------------------------------------------
   reg begun_q;
@@ -244,11 +240,11 @@ module flow_commands (
 
   assign reply_valid_o = state_q == LEAVE;
   assign reply_block_o = block;
-  assign reply_write_o = event_q[46];
+  assign reply_write_o = event_now[46];
   assign reply_status_o = finals[head_q];
-  assign reply_count_o = event_q[46] || reply_status_o != 8'd0 ? 6'd0 : event_count;
-  assign reply_to_o = event_q[15:8];
-  assign reply_tag_o = event_q[7:0];
+  assign reply_count_o = event_now[46] || reply_status_o != 8'd0 ? 6'd0 : event_count;
+  assign reply_to_o = event_now[15:8];
+  assign reply_tag_o = event_now[7:0];
 
   // ---- registers -------------------------------------------------------------------------------------
   always @(posedge clk_i) begin

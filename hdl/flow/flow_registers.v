@@ -17,10 +17,8 @@ module flow_registers (
     input  wire         round_done_i,
     input  wire         ladder_i,
     input  wire         ladder_done_i,
-    // events, in the order of their registers from flow_pool_full on, but flow_late
-    input  wire [  4:0] count_i,
-    input  wire         failed_too_i,     // both kinds of failures at once
-    input  wire         vanished_i,       // an answer that nobody waited for
+    // events, in the order of their registers from flow_pool_full to flow_late
+    input  wire [  5:0] count_i,
     // counters of others
     input  wire [ 15:0] late_i,
     input  wire [127:0] link_i,           // link_upper_bad lowest
@@ -32,7 +30,8 @@ module flow_registers (
     output wire [ 15:0] rdata_o
 );
 
-  localparam [7:0] FIRST_LINK = `RUNG_REG_LINK_UPPER_BAD;
+  localparam [7:0] FIRST = `RUNG_REG_FLOW_ROUNDS_LOW;
+  localparam [7:0] FIRST_COUNT = `RUNG_REG_FLOW_POOL_FULL;
   localparam [15:0] MOST = 16'hffff;
 
   // ---- clocks ------------------------------------------------------------------------------------
@@ -68,49 +67,61 @@ module flow_registers (
     end
   end
 
-  // ---- events -------------------------------------------------------------------------------------
-  reg [15:0] full_q, held_q, failed_q, events_q, waits_q, vanished_q;
+  // ---- events: counts in a memory, one of them a clock; none comes again before it is counted ---------------
+  localparam [3:0] LAST_COUNT = 4'd7;
+  (* ram_style = "distributed" *) reg [15:0] counts[0:7];
+  reg [3:0] clearing_q;  // after reset, the counts become 0
+  reg [5:0] due_q;
+  reg [2:0] which;
+  integer i;
+
+  always @* begin
+    which = 3'd0;
+    for (i = 0; i < 6; i = i + 1) if (due_q[i]) which = i[2:0];
+  end
+
+  wire clearing = clearing_q != 4'd0;
+  wire [2:0] count_addr = clearing ? clearing_q[2:0] : which;
+  wire [15:0] count = counts[count_addr];
+
   always @(posedge clk_i) begin
-    full_q <= full_q + {15'd0, count_i[0]};
-    held_q <= held_q + {15'd0, count_i[1]};
-    failed_q <= failed_q + {15'd0, count_i[2]} + {15'd0, failed_too_i};
-    events_q <= events_q + {15'd0, count_i[3]};
-    waits_q <= waits_q + {15'd0, count_i[4]};
-    vanished_q <= vanished_q + {15'd0, vanished_i};
-    if (!rst_ni) {full_q, held_q, failed_q, events_q, waits_q, vanished_q} <= 96'd0;
+    if (clearing || due_q != 6'd0) counts[count_addr] <= clearing ? 16'd0 : count + 16'd1;
+    if (!rst_ni) begin
+      due_q <= 6'd0;
+      clearing_q <= LAST_COUNT + 4'd1;
+    end else begin
+      for (i = 0; i < 6; i = i + 1) begin
+        due_q[i] <= count_i[i] || (due_q[i] && (clearing || which != i[2:0]));
+      end
+      if (clearing) clearing_q <= clearing_q - 4'd1;
+    end
   end
 
   // ---- reads -----------------------------------------------------------------------------------------
   reg [15:0] high_q;
   reg [15:0] rdata_q;
   wire read = sel_register_i && read_i;
-  wire [2:0] counter = addr_i[2:0] - FIRST_LINK[2:0];
+  wire [7:0] number = addr_i - FIRST;
+  wire [2:0] counted = addr_i[2:0] - FIRST_COUNT[2:0];
+  wire [15:0] counter = counts[counted];
+  wire [32*16-1:0] all = {
+    {10 * 16{1'b0}},
+    panel_i,
+    link_i,
+    counter + late_i,
+    {5{counter}},
+    ladder_max_q,
+    ladder_min_q,
+    high_q,
+    most_q[15:0],
+    high_q,
+    rounds_q[15:0]
+  };
 
   always @(posedge clk_i) begin
-    rdata_q <= 16'd0;
-    if (read) begin
-      case (addr_i)
-        `RUNG_REG_FLOW_ROUNDS_LOW: {high_q, rdata_q} <= rounds_q;
-        `RUNG_REG_FLOW_ROUND_MAX_LOW: {high_q, rdata_q} <= most_q;
-        `RUNG_REG_FLOW_ROUNDS_HIGH, `RUNG_REG_FLOW_ROUND_MAX_HIGH: rdata_q <= high_q;
-        `RUNG_REG_FLOW_LADDER_MIN: rdata_q <= ladder_min_q;
-        `RUNG_REG_FLOW_LADDER_MAX: rdata_q <= ladder_max_q;
-        `RUNG_REG_FLOW_POOL_FULL: rdata_q <= full_q;
-        `RUNG_REG_FLOW_HELD: rdata_q <= held_q;
-        `RUNG_REG_FLOW_FAILED: rdata_q <= failed_q;
-        `RUNG_REG_FLOW_EVENTS: rdata_q <= events_q;
-        `RUNG_REG_FLOW_EVENT_WAITS: rdata_q <= waits_q;
-        `RUNG_REG_FLOW_LATE: rdata_q <= late_i + vanished_q;
-        `RUNG_REG_LINK_UPPER_BAD, `RUNG_REG_LINK_UPPER_FULL, `RUNG_REG_LINK_UPPER_AGAIN,
-        `RUNG_REG_LINK_UPPER_LOST, `RUNG_REG_LINK_LOWER_BAD, `RUNG_REG_LINK_LOWER_FULL,
-        `RUNG_REG_LINK_LOWER_AGAIN, `RUNG_REG_LINK_LOWER_LOST: begin
-          rdata_q <= link_i[{counter, 4'd0}+:16];
-        end
-        `RUNG_REG_PANEL_BAD: rdata_q <= panel_i[15:0];
-        `RUNG_REG_PANEL_TIMEOUTS: rdata_q <= panel_i[31:16];
-        default: ;
-      endcase
-    end
+    rdata_q <= all[{number[4:0], 4'd0}+:16] & {16{read && number[7:5] == 3'd0}};
+    if (read && addr_i == `RUNG_REG_FLOW_ROUNDS_LOW) high_q <= rounds_q[31:16];
+    if (read && addr_i == `RUNG_REG_FLOW_ROUND_MAX_LOW) high_q <= most_q[31:16];
   end
   assign rdata_o = rdata_q;
 

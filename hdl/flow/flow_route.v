@@ -18,7 +18,7 @@ module flow_route #(
     input  wire        rst_ni,
     // setup
     input  wire [ 3:0] unit_i,
-    input  wire [63:0] boards_i,
+    input  wire [ 3:0] attributes_i,       // of board_o, in the same clock
     // the transfer
     input  wire        take_i,
     input  wire [15:0] resource_i,
@@ -73,11 +73,10 @@ module flow_route #(
   end
 
   // ---- its way -----------------------------------------------------------------------------------
-  wire [3:0] attributes = boards_i[{board_q[3:0], 2'd0}+:4];
   wire own = unit_q == {4'd0, unit_i};
   wire counted = count_q != 16'd0 && count_q <= MOST;
-  wire there = attributes[`RUNG_BOARD_BIT_THERE] && board_q[7:4] == 4'd0;
-  wire panel = attributes[`RUNG_BOARD_BIT_PANEL];
+  wire there = attributes_i[`RUNG_BOARD_BIT_THERE] && board_q[7:4] == 4'd0;
+  wire panel = attributes_i[`RUNG_BOARD_BIT_PANEL];
   wire [16:0] behind = {1'b0, first_q} + {11'd0, count_q[5:0]};
   wire mapped = behind <= WORD_POINTS[16:0];
   wire other = unit_q != 8'd0 && unit_q <= UNITS;
@@ -91,8 +90,8 @@ module flow_route #(
     else if (!there) way_q <= `FLOW_WAY_REFUSED;
     else if (panel) way_q <= `FLOW_WAY_PANEL;
     else way_q <= mapped ? `FLOW_WAY_LOCAL : `FLOW_WAY_REFUSED;
-    gives_up_q  <= !own || attributes[`RUNG_BOARD_BIT_OVER_LINK];
-    exclusive_q <= own && there && attributes[`RUNG_BOARD_BIT_EXCLUSIVE];
+    gives_up_q  <= !own || attributes_i[`RUNG_BOARD_BIT_OVER_LINK];
+    exclusive_q <= own && there && attributes_i[`RUNG_BOARD_BIT_EXCLUSIVE];
   end
 
   // ---- locks -------------------------------------------------------------------------------------

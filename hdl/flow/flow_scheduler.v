@@ -120,46 +120,6 @@ module flow_scheduler #(
     output wire [ 15:0] rdata_o
 );
 
-  // ---- the round ---------------------------------------------------------------------------------
-  localparam [2:0] IDLE = 3'd0;
-  localparam [2:0] BEGIN = 3'd1;  // until the tasks are as the program starts them
-  localparam [2:0] COMMANDS = 3'd2;
-  localparam [2:0] TASKS = 3'd3;
-  localparam [2:0] LADDER = 3'd4;
-  localparam [2:0] SCANNING = 3'd5;
-
-  wire [1:0] enable;
-  wire flows = enable[0];
-  wire walking;
-  wire commands_done;
-  wire steps_done;
-  wire steps_busy;
-  reg [2:0] state_q;
-  reg start_commands_q;
-  reg start_steps_q;
-  wire begins = state_q == BEGIN && !walking && !steps_busy;
-
-  always @(posedge clk_i) begin
-    start_commands_q <= begins && rst_ni && !give_up_i;
-    start_steps_q <= state_q == COMMANDS && commands_done && rst_ni && !give_up_i;
-    case (state_q)
-      IDLE: if (round_i && flows) state_q <= BEGIN;
-      BEGIN: if (begins) state_q <= COMMANDS;
-      COMMANDS: if (commands_done) state_q <= TASKS;
-      TASKS: if (steps_done) state_q <= LADDER;
-      LADDER: state_q <= SCANNING;
-      SCANNING: if (ladder_done_i) state_q <= IDLE;
-      default: state_q <= IDLE;
-    endcase
-    if (!rst_ni || give_up_i) state_q <= IDLE;
-  end
-
-  wire ladder = state_q == LADDER;
-  wire ladder_done = state_q == SCANNING && ladder_done_i;
-  assign ladder_o = flows ? ladder : round_i;
-  assign round_done_o = flows ? ladder_done : ladder_done_i;
-  wire of_steps = state_q == TASKS;  // routes and copies are the tasks'
-
   wire [15:0] step_entry;
   wire [15:0] step_end;
   wire [7:0] step_before;
@@ -169,11 +129,13 @@ module flow_scheduler #(
   wire [15:0] transfer_first;
   wire [15:0] transfer_count;
   wire [15:0] transfer_head;
+  wire [1:0] enable;
   wire [15:0] next_word;
   wire [15:0] task_word;
   wire [15:0] status_word;
-  wire [63:0] boards;
+  wire [3:0] attributes;
   wire [15:0] tables_rdata;
+  wire walking;
   wire come_ready;
   wire peek_waits;
   wire peek_ask;
@@ -189,8 +151,12 @@ module flow_scheduler #(
   wire vanished;
   wire [15:0] tasks_rdata;
   wire found;
+  wire around;
   wire [6:0] next;
+  wire steps_done;
+  wire steps_busy;
   wire pick;
+  wire go_around;
   wire step_op_valid;
   wire [3:0] step_op;
   wire [6:0] step_op_task;
@@ -227,6 +193,7 @@ module flow_scheduler #(
   wire commands_wait;
   wire [7:0] command;
   wire command_last;
+  wire commands_done;
   wire command_take_route;
   wire [15:0] command_resource;
   wire [15:0] command_first;
@@ -256,10 +223,17 @@ module flow_scheduler #(
   wire [8:0] came;
   wire [7:0] status;
   wire copy_done;
+  wire begins;
+  wire start_commands;
+  wire start_steps;
+  wire of_steps;
+  wire ladder;
+  wire round_done;
   wire [15:0] registers_rdata;
-  wire [4:0] counted = {
-    suspended, executed, step_failed || command_failed, step_held || command_held, pool_full
-  };
+  wire flows = enable[0];
+  wire failures = step_failed || command_failed;
+  wire holds = step_held || command_held;
+  wire [5:0] counted = {vanished, suspended, executed, failures, holds, pool_full};
   wire send = step_send || command_send;
   wire [4:0] block = of_steps ? step_block : command_block;
   // A task's lock is taken in the clock that takes its block, or in the next one.
@@ -293,7 +267,8 @@ module flow_scheduler #(
       .panel_unit_o       (panel_unit_o),
       .panel_baud_o       (panel_baud_o),
       .panel_parity_o     (panel_parity_o),
-      .boards_o           (boards),
+      .board_i            (board),
+      .board_o            (attributes),
       .steps_write_i      (steps_write_i),
       .transfers_write_i  (transfers_write_i),
       .setup_write_i      (setup_write_i),
@@ -360,22 +335,26 @@ module flow_scheduler #(
       .op_task_i (ready_task),
       .op_ready_i(ready),
       .begin_i   (begins),
+      .around_i  (go_around),
       .pick_i    (pick),
       .found_o   (found),
+      .around_o  (around),
       .next_o    (next)
   );
 
   flow_step turns (
       .clk_i             (clk_i),
       .rst_ni            (rst_ni),
-      .start_i           (start_steps_q),
+      .start_i           (start_steps),
       .stop_i            (give_up_i),
       .done_o            (steps_done),
       .busy_o            (steps_busy),
       .in_place_i        (enable[1]),
       .found_i           (found),
+      .around_i          (around),
       .next_i            (next),
       .pick_o            (pick),
+      .around_o          (go_around),
       .op_valid_o        (step_op_valid),
       .op_o              (step_op),
       .op_task_o         (step_op_task),
@@ -463,7 +442,7 @@ module flow_scheduler #(
   flow_commands commands (
       .clk_i              (clk_i),
       .rst_ni             (rst_ni),
-      .start_i            (start_commands_q),
+      .start_i            (start_commands),
       .stop_i             (give_up_i),
       .done_o             (commands_done),
       .in_place_i         (enable[1]),
@@ -527,7 +506,7 @@ module flow_scheduler #(
       .clk_i            (clk_i),
       .rst_ni           (rst_ni),
       .unit_i           (unit_o),
-      .boards_i         (boards),
+      .attributes_i     (attributes),
       .take_i           (of_steps ? step_take : command_take_route),
       .resource_i       (of_steps ? transfer_resource : command_resource),
       .first_i          (of_steps ? transfer_first : command_first),
@@ -615,6 +594,29 @@ module flow_scheduler #(
       .host_rdata_i (host_rdata_i)
   );
 
+  // ---- the round --------------------------------------------------------------------------------------
+
+  flow_round round (
+      .clk_i          (clk_i),
+      .rst_ni         (rst_ni),
+      .flows_i        (flows),
+      .give_up_i      (give_up_i),
+      .round_i        (round_i),
+      .round_done_o   (round_done_o),
+      .walking_i      (walking),
+      .busy_i         (steps_busy),
+      .begin_o        (begins),
+      .commands_o     (start_commands),
+      .commands_done_i(commands_done),
+      .steps_o        (start_steps),
+      .steps_done_i   (steps_done),
+      .of_steps_o     (of_steps),
+      .ladder_o       (ladder_o),
+      .ladder_done_i  (ladder_done_i),
+      .flow_ladder_o  (ladder),
+      .flow_done_o    (round_done)
+  );
+
   // ---- registers --------------------------------------------------------------------------------------
 
   flow_registers registers (
@@ -622,12 +624,10 @@ module flow_scheduler #(
       .rst_ni        (rst_ni),
       .clear_i       (first_i),
       .round_i       (round_i && flows),
-      .round_done_i  (ladder_done),
+      .round_done_i  (round_done),
       .ladder_i      (ladder),
-      .ladder_done_i (ladder_done),
+      .ladder_done_i (round_done),
       .count_i       (counted),
-      .failed_too_i  (step_failed && command_failed),
-      .vanished_i    (vanished),
       .late_i        (late_i),
       .link_i        (link_counters_i),
       .panel_i       (panel_counters_i),

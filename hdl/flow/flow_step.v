@@ -18,8 +18,10 @@ module flow_step (
     input  wire        in_place_i,           // wait in the turn
     // next task
     input  wire        found_i,
+    input  wire        around_i,
     input  wire [ 6:0] next_i,
     output wire        pick_o,
+    output wire        around_o,
     // task table
     output wire        op_valid_o,
     output wire [ 3:0] op_o,
@@ -116,7 +118,7 @@ module flow_step (
   localparam [4:0] RUNNING = 5'd16;
   localparam [4:0] LAST = 5'd17;  // the last words written are there
   localparam [4:0] COMMAND = 5'd18;
-  localparam [4:0] GAP1 = 5'd19;  // until next_i knows what they have changed
+  localparam [4:0] GAP1 = 5'd19;  // until next_i knows what has changed
   localparam [4:0] GAP2 = 5'd20;
   localparam [4:0] COLLECT = 5'd21;  // transfer behind the routine: words to block
   localparam [4:0] GIVE = 5'd22;  // scratch block to map
@@ -147,6 +149,7 @@ module flow_step (
   reg [4:0] block_q;  // this one
   reg finish_due_q;  // it has to be freed, or the task to be ended
   reg gone_q;  // the task has stopped itself
+  reg behind_q;  // its routine has ended
   reg in_place_q;
   reg after_link_q;
   reg after_lock_q;
@@ -176,8 +179,9 @@ module flow_step (
   wire after_held = check_alone ? held_i : after_held_q;
   wire needs_block = (check && linked) || after_link;
   wire blocked = (check && held_i) || after_held;
-  wire begins = (check || check_alone) && !blocked && (!needs_block || task_block_valid_i);
-  wire fails = (check || check_alone) && !begins;
+  wire checks = check || check_alone;
+  wire begins = checks && !blocked && (!needs_block || task_block_valid_i);
+  wire fails = checks && !begins;
   wire waits_in_place = in_place_i || !gives_up_i;
 
   // ---- what the states start -------------------------------------------------------------------------
@@ -198,13 +202,16 @@ module flow_step (
   assign write_o = for_q == FOR_STORE;
   assign block_o = state_q == STORED ? peek_block_i : block_q;
   assign task_block_take_o = begins && needs_block;
-  assign lock_o = (begins && needs_block && exclusive_i) || (state_q == LOCK && after_lock_q);
+  assign lock_o = (begins && needs_block && exclusive_i) ||
+      (state_q == LOCK && after_lock_q && own_q);
   assign lock_board_o = state_q == LOCK ? after_board_q : board_i;
 
   assign step_read_o = state_q == ROW || state_q == AWAIT_ROW;
   assign step_o = row_step;
-  assign pick_o = state_q == PICK && found_i && !finish_due_q;
-  assign done_o = state_q == PICK && !found_i && !finish_due_q;
+  wire pick = state_q == PICK && !finish_due_q;
+  assign pick_o = pick && found_i;
+  assign around_o = pick && !found_i && !around_i;
+  assign done_o = pick && !found_i && around_i;
   assign busy_o = state_q != IDLE;
 
   assign start_o = start_q;
@@ -285,9 +292,9 @@ module flow_step (
         row_due_q <= 1'b0;
         finish_due_q <= 1'b0;
         if (!finish_due_q) begin
-          state_q <= found_i ? ROW : IDLE;
+          state_q <= found_i ? ROW : around_i ? IDLE : GAP1;
           task_q  <= next_i;
-          {in_place_q, gone_q, ends_q, own_q} <= 4'd0;
+          {in_place_q, gone_q, behind_q, ends_q, own_q} <= 5'd0;
           phase_q <= PHASE_FETCH;
           after_link_q <= 1'b0;
           after_held_q <= 1'b0;
@@ -332,7 +339,7 @@ module flow_step (
               // lock_o has done this one.
               after_lock_q <= 1'b0;
               state_q <= status_due_q ? STATUS : RUN;
-              start_q <= !status_due_q;
+              start_q <= begins && !status_due_q;
             end
           end
           FOR_BEFORE: state_q <= LOCK;
@@ -371,6 +378,7 @@ module flow_step (
       end
       RUNNING: if (done_i) state_q <= LAST;
       LAST: begin
+        behind_q  <= 1'b1;
         row_due_q <= 1'b1;
         finish_due_q <= own_q || ends_q || (wrote_next_i && wrote_end_i);
         if (has_after) {state_q, for_q, finish_due_q} <= {READ, FOR_STORE, 1'b0};
@@ -385,7 +393,7 @@ module flow_step (
         if (command_last_i) state_q <= GAP1;
       end
       GAP1: state_q <= GAP2;
-      GAP2: state_q <= has_after && !gone_q ? READ : PICK;
+      GAP2: state_q <= behind_q && has_after && !gone_q ? READ : PICK;
       COLLECT: if (copy_done_i) state_q <= local_after ? GIVE : SEND;
       GIVE: begin
         status_q <= 8'd0;

@@ -3,7 +3,7 @@
 // steps: flow_tasks.v): steps, transfers, setup registers and boards, and a breakpoint for each step. A row is there
 // in the clock after its read, and stays until the next one. Loading word 0 of a step takes its
 // breakpoint away. Tables are to be loaded while no round runs; breakpoints (registers flow_break_*) change at any
-// time. Reset makes the setup registers and boards 0, and leaves the memories alone.
+// time. Reset makes the setup registers 0, and leaves memories and boards alone: who loads a program loads all boards.
 `default_nettype none
 `include "rung_controller.vh"
 `include "rung_flow.vh"
@@ -37,7 +37,8 @@ module flow_tables (
     output wire [ 7:0] panel_unit_o,
     output wire [19:0] panel_baud_o,
     output wire [ 1:0] panel_parity_o,
-    output wire [63:0] boards_o,
+    input  wire [ 3:0] board_i,
+    output wire [ 3:0] board_o,              // its attributes, in the same clock
     // load
     input  wire        steps_write_i,
     input  wire        transfers_write_i,
@@ -55,7 +56,7 @@ module flow_tables (
 
   localparam STEPS = `RUNG_FLOW_STEPS;
   localparam TRANSFERS = `RUNG_FLOW_TRANSFERS;
-  localparam [9:0] FIRST_BOARD = 10'd4;  // address 64 and up, 16 at a time
+  localparam [11:0] FIRST_BOARD = 12'd4;  // address 64 and up, 16 at a time
 
   // ---- steps and transfers: a memory a word, as wide as that word needs ----------------------------
   wire loads_step = steps_write_i && load_addr_i[15:13] == 3'd0;
@@ -157,7 +158,11 @@ module flow_tables (
   reg [7:0] panel_unit_q;
   reg [19:0] panel_baud_q;
   reg [1:0] panel_parity_q;
-  reg [63:0] boards_q;
+  (* ram_style = "distributed" *) reg [3:0] boards[0:15];
+
+  wire loads_board = setup_write_i && load_addr_i[15:4] == FIRST_BOARD;
+  always @(posedge clk_i) if (loads_board) boards[load_addr_i[3:0]] <= load_data_i[3:0];
+  assign board_o = boards[board_i];
 
   always @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -166,11 +171,7 @@ module flow_tables (
       {next_word_q, task_word_q, status_word_q} <= 48'd0;
       {link_timeout_q, panel_timeout_q, panel_unit_q} <= 40'd0;
       {panel_baud_q, panel_parity_q} <= 22'd0;
-      boards_q <= 64'd0;
     end else if (setup_write_i) begin
-      if (load_addr_i[15:4] == {2'd0, FIRST_BOARD}) begin
-        boards_q[{load_addr_i[3:0], 2'd0}+:4] <= load_data_i[3:0];
-      end
       case (load_addr_i)
         `RUNG_FLOW_SETUP_ENABLE: enable_q <= load_data_i[1:0];
         `RUNG_FLOW_SETUP_UNIT: unit_q <= load_data_i[3:0];
@@ -198,7 +199,6 @@ module flow_tables (
   assign panel_unit_o = panel_unit_q;
   assign panel_baud_o = panel_baud_q;
   assign panel_parity_o = panel_parity_q;
-  assign boards_o = boards_q;
 
   wire unused = &{1'b0, wdata_i[15:11]};
 

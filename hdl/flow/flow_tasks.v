@@ -321,7 +321,7 @@ module flow_tasks (
       .read_data_o (view_row),
       .write_i     (row_write),
       .write_addr_i(row_task),
-      .write_data_i(row_init ? {2'd0, first[10:0]} : {row_i[13:12], row_view_i})
+      .write_data_i(row_init ? {2'd0, first[10:0]} : {row_i[12:11], row_view_i})
   );
 
   reg [15:0] rdata_q;

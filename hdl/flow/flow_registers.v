@@ -73,11 +73,11 @@ module flow_registers (
   reg [3:0] clearing_q;  // after reset, the counts become 0
   reg [5:0] due_q;
   reg [2:0] which;
-  integer i;
+  integer i, j;
 
   always @* begin
     which = 3'd0;
-    for (i = 0; i < 6; i = i + 1) if (due_q[i]) which = i[2:0];
+    for (j = 0; j < 6; j = j + 1) if (due_q[j]) which = j[2:0];
   end
 
   wire clearing = clearing_q != 4'd0;

@@ -103,8 +103,9 @@ module flow_step (
   localparam [4:0] PICK = 5'd1;  // the turn before ends, the next one begins
   localparam [4:0] ROW = 5'd2;  // the row is there, the step is read
   localparam [4:0] STEP = 5'd3;  // the step is there
+  localparam [4:0] DECIDE = 5'd30;
   localparam [4:0] STORED = 5'd4;  // the answer to a STORE has come
-  localparam [4:0] FETCH = 5'd5;  // STEP once more, behind it
+  localparam [4:0] FETCH = 5'd5;  // DECIDE once more, behind it
   localparam [4:0] READ = 5'd6;  // a transfer is read,
   localparam [4:0] TAKE = 5'd7;  // is there,
   localparam [4:0] ROUTE = 5'd8;  // is taken,
@@ -118,7 +119,8 @@ module flow_step (
   localparam [4:0] RUNNING = 5'd16;
   localparam [4:0] LAST = 5'd17;  // the last words written are there
   localparam [4:0] COMMAND = 5'd18;
-  localparam [4:0] GAP1 = 5'd19;  // until next_i knows what has changed
+  localparam [4:0] GAP = 5'd29;  // until next_i knows what has changed
+  localparam [4:0] GAP1 = 5'd19;
   localparam [4:0] GAP2 = 5'd20;
   localparam [4:0] COLLECT = 5'd21;  // transfer behind the routine: words to block
   localparam [4:0] GIVE = 5'd22;  // scratch block to map
@@ -127,6 +129,7 @@ module flow_step (
   localparam [4:0] AWAIT = 5'd25;  // in place: peek,
   localparam [4:0] AWAIT_ROW = 5'd26;  // again and again
   localparam [4:0] AWAIT_STEP = 5'd27;
+  localparam [4:0] AWAIT_FLAGS = 5'd31;
   localparam [4:0] ABORT = 5'd28;
 
   localparam [1:0] FOR_AFTER = 2'd0;  // before the step begins, the transfer behind it,
@@ -155,23 +158,19 @@ module flow_step (
   reg after_lock_q;
   reg after_held_q;
   reg [3:0] after_board_q;
+  reg break_q;
+  reg [7:0] before_q;
+  reg [7:0] after_q;
   reg [15:0] entry_q;
   reg [15:0] end_q;
   reg start_q;
   reg flags_due_q;  // breakpoint or block to be taken
 
-  wire [10:0] row_step = row_i[10:0];
-  wire [1:0] row_phase = row_i[12:11];
-  wire row_ends = row_i[13];
-  wire row_status_due = row_i[14];
-  wire [7:0] row_status = row_i[22:15];
-
   // ---- FETCH -------------------------------------------------------------------------------------
-  wire fetch = (state_q == STEP && row_phase == PHASE_FETCH) || state_q == FETCH;
-  wire pause = (step_break_i || peek_ask_i) && !peek_skip_i;
-  wire has_before = step_before_i != 8'd0;
-  wire has_after = step_after_i != 8'd0;
-  wire due = state_q == STEP ? row_status_due : status_due_q;
+  wire fetch = (state_q == DECIDE && phase_q == PHASE_FETCH) || state_q == FETCH;
+  wire pause = (break_q || peek_ask_i) && !peek_skip_i;
+  wire has_before = before_q != 8'd0;
+  wire has_after = after_q != 8'd0;
   wire linked = way_i == `FLOW_WAY_LINK || way_i == `FLOW_WAY_PANEL;
   wire check = state_q == ROUTED && for_q == FOR_BEFORE;
   wire check_alone = state_q == ROUTED && for_q == FOR_AFTER && !has_before;
@@ -196,7 +195,7 @@ module flow_step (
   assign copy_put_data_o = {8'd0, status_q};
 
   assign transfer_read_o = state_q == READ;
-  assign transfer_o = for_q == FOR_AFTER || for_q == FOR_STORE ? step_after_i : step_before_i;
+  assign transfer_o = for_q == FOR_AFTER || for_q == FOR_STORE ? after_q : before_q;
   assign take_o = state_q == TAKE;
   assign send_o = state_q == SEND && !sending_i;
   assign write_o = for_q == FOR_STORE;
@@ -207,7 +206,7 @@ module flow_step (
   assign lock_board_o = state_q == LOCK ? after_board_q : board_i;
 
   assign step_read_o = state_q == ROW || state_q == AWAIT_ROW;
-  assign step_o = row_step;
+  assign step_o = row_i[10:0];
   wire pick = state_q == PICK && !finish_due_q;
   assign pick_o = pick && found_i;
   assign around_o = pick && !found_i && !around_i;
@@ -242,10 +241,10 @@ module flow_step (
       end
       STORED: begin
         op_valid = 1'b1;
-        op = row_ends ? `FLOW_OP_END : `FLOW_OP_TAKE;
+        op = ends_q ? `FLOW_OP_END : `FLOW_OP_TAKE;
         op_free = 1'b1;
       end
-      STEP, FETCH: begin
+      DECIDE, FETCH: begin
         op_valid = fetch && pause;
         op = `FLOW_OP_PAUSE;
       end
@@ -292,7 +291,7 @@ module flow_step (
         row_due_q <= 1'b0;
         finish_due_q <= 1'b0;
         if (!finish_due_q) begin
-          state_q <= found_i ? ROW : around_i ? IDLE : GAP1;
+          state_q <= found_i ? ROW : around_i ? IDLE : GAP;
           task_q  <= next_i;
           {in_place_q, gone_q, behind_q, ends_q, own_q} <= 5'd0;
           phase_q <= PHASE_FETCH;
@@ -303,15 +302,19 @@ module flow_step (
       end
       ROW: state_q <= STEP;
       STEP: begin
-        step_q <= row_step;
-        next_q <= row_step;
-        {status_q, status_due_q} <= {row_status, row_status_due};
+        {status_q, status_due_q, ends_q, phase_q, step_q} <= row_i;
+        next_q <= row_i[10:0];
+        {entry_q, end_q} <= {step_entry_i, step_end_i};
+        {before_q, after_q, break_q} <= {step_before_i, step_after_i, step_break_i};
+        state_q <= DECIDE;
+      end
+      DECIDE: begin
         flags_due_q <= peek_skip_i || peek_has_i;
         phase_q <= PHASE_FETCH;
         for_q <= FOR_LOAD;
-        if (row_phase == PHASE_STORE) begin
+        if (phase_q == PHASE_STORE) begin
           state_q <= STORED;
-        end else if (row_phase == PHASE_LOAD) begin
+        end else if (phase_q == PHASE_LOAD) begin
           state_q <= READ;
           own_q   <= 1'b1;
           block_q <= peek_block_i;
@@ -321,7 +324,7 @@ module flow_step (
         // The block's status is there; a step in place has had its turn.
         {status_q, status_due_q} <= {status_i, 1'b1};
         flags_due_q <= peek_skip_i;
-        state_q <= row_ends || in_place_q ? PICK : FETCH;
+        state_q <= ends_q || in_place_q ? PICK : FETCH;
         row_due_q <= 1'b1;
       end
       READ: state_q <= TAKE;
@@ -390,8 +393,9 @@ module flow_step (
           {row_due_q, ends_q, gone_q} <= 3'b001;
           finish_due_q <= own_q;
         end
-        if (command_last_i) state_q <= GAP1;
+        if (command_last_i) state_q <= GAP;
       end
+      GAP: state_q <= GAP1;
       GAP1: state_q <= GAP2;
       GAP2: state_q <= behind_q && has_after && !gone_q ? READ : PICK;
       COLLECT: if (copy_done_i) state_q <= local_after ? GIVE : SEND;
@@ -413,7 +417,9 @@ module flow_step (
       end
       AWAIT: state_q <= AWAIT_ROW;
       AWAIT_ROW: state_q <= AWAIT_STEP;
-      AWAIT_STEP: state_q <= peek_waits_i ? AWAIT : STEP;
+      // Flags are there in the clock after it.
+      AWAIT_STEP: state_q <= AWAIT_FLAGS;
+      AWAIT_FLAGS: state_q <= peek_waits_i ? AWAIT : STEP;
       default: begin  // ABORT
         state_q <= IDLE;
         own_q   <= 1'b0;
@@ -424,10 +430,9 @@ module flow_step (
       for_q <= has_after ? FOR_AFTER : FOR_BEFORE;
       if (pause) {state_q, row_due_q} <= {PICK, 1'b1};
       else if (has_before || has_after) state_q <= READ;
-      else if (due) state_q <= STATUS;
+      else if (status_due_q) state_q <= STATUS;
       else {state_q, start_q} <= {RUN, 1'b1};
     end
-    if (state_q == STEP) {entry_q, end_q} <= {step_entry_i, step_end_i};
     if (wrote_next_i && (state_q == RUNNING || state_q == LAST)) begin
       next_q <= wrote_step_i;
       ends_q <= wrote_end_i;

@@ -9,12 +9,12 @@
 namespace rung::tb::flow::clocks {
 
 inline constexpr int kRoutine = isa::constant::fill_clocks;  // beside the routine's steps
-inline constexpr int kRound = 10;    // a round beside commands, turns and the ladder
-inline constexpr int kWalk = 102;    // more in the first round of a program, at most
-inline constexpr int kTurn = 5;      // a turn, beside the routine
-inline constexpr int kNoRun = 3;     // a turn without routine: pause, try again, suspend
+inline constexpr int kRound = 11;    // a round beside commands, turns and the ladder
+inline constexpr int kWalk = 103;    // more in the first round of a program, at most
+inline constexpr int kTurn = 6;      // a turn, beside the routine
+inline constexpr int kNoRun = 4;     // a turn without routine: pause, try again, suspend
 inline constexpr int kFinish = 1;    // its task ends, or a block is given back
-inline constexpr int kCommands = 2;  // there are starts and stops, beside one clock for each
+inline constexpr int kCommands = 3;  // there are starts and stops, beside one clock for each
 inline constexpr int kCheck = 4;     // each transfer of a step, before it begins
 inline constexpr int kBefore = 1;    // more if there is one before the routine
 inline constexpr int kIn = 12;       // words of devices into a block, beside one for each

@@ -81,11 +81,16 @@ module flow_registers (
   end
 
   wire clearing = clearing_q != 4'd0;
-  wire [2:0] count_addr = clearing ? clearing_q[2:0] : which;
-  wire [15:0] count = counts[count_addr];
+  reg count_valid_q;
+  reg clear_q;
+  reg [2:0] count_addr_q;
+  wire [15:0] count = counts[count_addr_q];
 
   always @(posedge clk_i) begin
-    if (clearing || due_q != 6'd0) counts[count_addr] <= clearing ? 16'd0 : count + 16'd1;
+    count_valid_q <= clearing || due_q != 6'd0;
+    clear_q <= clearing;
+    count_addr_q <= clearing ? clearing_q[2:0] : which;
+    if (count_valid_q) counts[count_addr_q] <= clear_q ? 16'd0 : count + 16'd1;
     if (!rst_ni) begin
       due_q <= 6'd0;
       clearing_q <= LAST_COUNT + 4'd1;

@@ -85,6 +85,7 @@ module flow_step (
     input  wire        wrote_end_i,
     input  wire        commands_i,           // in this clock too
     input  wire [ 7:0] command_i,            // bit 7: start, else stop
+    input  wire        command_known_i,      // else it changes nothing
     input  wire        command_last_i,
     output wire        command_take_o,
     // counters
@@ -99,45 +100,47 @@ module flow_step (
   localparam [4:0] SCRATCH = `RUNG_FLOW_PC_BLOCK + 1;
   localparam [7:0] REFUSED = `RUNG_FLOW_STATUS_REFUSED;
 
-  localparam [4:0] IDLE = 5'd0;
-  localparam [4:0] PICK = 5'd1;  // the turn before ends, the next one begins
-  localparam [4:0] ROW = 5'd2;  // the row is there, the step is read
-  localparam [4:0] STEP = 5'd3;  // the step is there
-  localparam [4:0] DECIDE = 5'd30;
-  localparam [4:0] STORED = 5'd4;  // the answer to a STORE has come
-  localparam [4:0] FETCH = 5'd5;  // DECIDE once more, behind it
-  localparam [4:0] READ = 5'd6;  // a transfer is read,
-  localparam [4:0] TAKE = 5'd7;  // is there,
-  localparam [4:0] ROUTE = 5'd8;  // is taken,
-  localparam [4:0] ROUTED = 5'd9;  // and its way known
-  localparam [4:0] LOCK = 5'd10;  // of the board behind the routine
-  localparam [4:0] GET = 5'd11;  // transfer before the routine: map to scratch block
-  localparam [4:0] PUT = 5'd12;  // block to words
-  localparam [4:0] STATUS = 5'd13;
-  localparam [4:0] SETTLE = 5'd14;  // the last access has a clock to get to the processor
-  localparam [4:0] RUN = 5'd15;
-  localparam [4:0] RUNNING = 5'd16;
-  localparam [4:0] LAST = 5'd17;  // the last words written are there
-  localparam [4:0] COMMAND = 5'd18;
-  localparam [4:0] GAP = 5'd29;  // until next_i knows what has changed
-  localparam [4:0] GAP1 = 5'd19;
-  localparam [4:0] GAP2 = 5'd20;
-  localparam [4:0] COLLECT = 5'd21;  // transfer behind the routine: words to block
-  localparam [4:0] GIVE = 5'd22;  // scratch block to map
-  localparam [4:0] SEND = 5'd23;
-  localparam [4:0] SENT = 5'd24;
-  localparam [4:0] AWAIT = 5'd25;  // in place: peek,
-  localparam [4:0] AWAIT_ROW = 5'd26;  // again and again
-  localparam [4:0] AWAIT_STEP = 5'd27;
-  localparam [4:0] AWAIT_FLAGS = 5'd31;
-  localparam [4:0] ABORT = 5'd28;
+  localparam [5:0] IDLE = 6'd0;
+  localparam [5:0] PICK = 6'd1;  // the turn before ends, the next one begins
+  localparam [5:0] ROW = 6'd2;  // the row is there, the step is read
+  localparam [5:0] STEP = 6'd3;  // the step is there
+  localparam [5:0] DECIDE = 6'd30;
+  localparam [5:0] ANSWER = 6'd33;  // the block's status is looked up
+  localparam [5:0] STORED = 6'd4;  // the answer to a STORE has come
+  localparam [5:0] FETCH = 6'd5;  // DECIDE once more, behind it
+  localparam [5:0] READ = 6'd6;  // a transfer is read,
+  localparam [5:0] TAKE = 6'd7;  // is there,
+  localparam [5:0] ROUTE = 6'd8;  // is taken,
+  localparam [5:0] ROUTED = 6'd9;  // and its way known
+  localparam [5:0] LOCK = 6'd10;  // of the board behind the routine
+  localparam [5:0] GET = 6'd11;  // transfer before the routine: map to scratch block
+  localparam [5:0] PUT = 6'd12;  // block to words
+  localparam [5:0] STATUS = 6'd13;
+  localparam [5:0] SETTLE = 6'd14;  // the last access has a clock to get to the processor
+  localparam [5:0] RUN = 6'd15;
+  localparam [5:0] RUNNING = 6'd16;
+  localparam [5:0] LAST = 6'd17;  // the last words written are there
+  localparam [5:0] COMMAND = 6'd18;
+  localparam [5:0] GAP = 6'd29;  // until next_i knows what has changed
+  localparam [5:0] GAP0 = 6'd28;
+  localparam [5:0] GAP1 = 6'd19;
+  localparam [5:0] GAP2 = 6'd20;
+  localparam [5:0] COLLECT = 6'd21;  // transfer behind the routine: words to block
+  localparam [5:0] GIVE = 6'd22;  // scratch block to map
+  localparam [5:0] SEND = 6'd23;
+  localparam [5:0] SENT = 6'd24;
+  localparam [5:0] AWAIT = 6'd25;  // in place: peek,
+  localparam [5:0] AWAIT_ROW = 6'd26;  // again and again
+  localparam [5:0] AWAIT_STEP = 6'd27;
+  localparam [5:0] AWAIT_FLAGS = 6'd31;
+  localparam [5:0] ABORT = 6'd32;
 
   localparam [1:0] FOR_AFTER = 2'd0;  // before the step begins, the transfer behind it,
   localparam [1:0] FOR_BEFORE = 2'd1;  // and the one before it: to see whether it can begin
   localparam [1:0] FOR_LOAD = 2'd2;
   localparam [1:0] FOR_STORE = 2'd3;
 
-  reg [4:0] state_q;
+  reg [5:0] state_q;
   reg [1:0] for_q;
   reg [6:0] task_q;
   reg begun_q;  // copy or request of this state
@@ -199,7 +202,7 @@ module flow_step (
   assign take_o = state_q == TAKE;
   assign send_o = state_q == SEND && !sending_i;
   assign write_o = for_q == FOR_STORE;
-  assign block_o = state_q == STORED ? peek_block_i : block_q;
+  assign block_o = block_q;
   assign task_block_take_o = begins && needs_block;
   assign lock_o = (begins && needs_block && exclusive_i) ||
       (state_q == LOCK && after_lock_q && own_q);
@@ -254,7 +257,7 @@ module flow_step (
         op = `FLOW_OP_TAKE;
       end
       COMMAND: begin
-        op_valid = 1'b1;
+        op_valid = command_known_i;
         op = command_i[7] ? `FLOW_OP_START : `FLOW_OP_STOP;
       end
       SEND: begin
@@ -274,7 +277,7 @@ module flow_step (
   assign op_o = op;
   assign op_task_o = state_q == COMMAND ? command_i[6:0] :
       state_q == PICK && !finish_due_q ? next_i : task_q;
-  assign op_block_o = state_q == STORED ? peek_block_i : block_q;
+  assign op_block_o = block_q;
   assign op_free_o = op_free;
 
   // ---- the course of a turn --------------------------------------------------------------------------
@@ -312,14 +315,12 @@ module flow_step (
         flags_due_q <= peek_skip_i || peek_has_i;
         phase_q <= PHASE_FETCH;
         for_q <= FOR_LOAD;
-        if (phase_q == PHASE_STORE) begin
-          state_q <= STORED;
-        end else if (phase_q == PHASE_LOAD) begin
-          state_q <= READ;
-          own_q   <= 1'b1;
-          block_q <= peek_block_i;
-        end
+        block_q <= peek_block_i;
+        own_q <= phase_q == PHASE_LOAD;
+        if (phase_q == PHASE_STORE) state_q <= ANSWER;
+        else state_q <= READ;  // for a LOAD; FETCH below
       end
+      ANSWER: state_q <= STORED;
       STORED: begin
         // The block's status is there; a step in place has had its turn.
         {status_q, status_due_q} <= {status_i, 1'b1};
@@ -389,13 +390,14 @@ module flow_step (
         if (commands_i) state_q <= COMMAND;
       end
       COMMAND: begin
-        if (command_i == {1'b0, task_q}) begin
+        if (command_known_i && command_i == {1'b0, task_q}) begin
           {row_due_q, ends_q, gone_q} <= 3'b001;
           finish_due_q <= own_q;
         end
         if (command_last_i) state_q <= GAP;
       end
-      GAP: state_q <= GAP1;
+      GAP: state_q <= GAP0;
+      GAP0: state_q <= GAP1;
       GAP1: state_q <= GAP2;
       GAP2: state_q <= behind_q && has_after && !gone_q ? READ : PICK;
       COLLECT: if (copy_done_i) state_q <= local_after ? GIVE : SEND;

@@ -56,6 +56,9 @@ class Story {
  public:
   Story(Rig& rig, std::uint32_t seed) : rig_(rig), random_(seed) {}
 
+  // What has happened, so that no test is one of nothing.
+  const Counters& seen() const { return seen_; }
+
   void play() {
     const int tasks = below(4) == 0 ? flow_tasks : 1 + below(12);
     const bool in_place = below(6) == 0;
@@ -206,9 +209,11 @@ class Story {
           << "word " << word;
     }
     free_events_ = model.free_event_blocks();
+    seen_ = c;
   }
 
   Rig& rig_;
+  Counters seen_;
   std::mt19937 random_;
   int free_events_ = flow_event_blocks;
 };
@@ -223,11 +228,25 @@ TEST_P(Rounds, RandomPrograms) {
                               : many != nullptr ? static_cast<std::uint32_t>(std::atol(many))
                                                 : 60;
   const auto rig = make_rig(GetParam());
+  Counters all;
   for (std::uint32_t seed = first; seed < first + count; ++seed) {
     SCOPED_TRACE(
         fmt::format("replay: RUNG_SEED={} flow_test --gtest_filter='*RandomPrograms*'", seed));
-    EXPECT_NO_THROW(Story(*rig, seed).play());
+    Story story(*rig, seed);
+    EXPECT_NO_THROW(story.play());
+    const Counters& one = story.seen();
+    all.full += one.full;
+    all.held += one.held;
+    all.failed += one.failed;
+    all.events += one.events;
+    all.event_waits += one.event_waits;
+    all.vanished += one.vanished;
     if (HasFailure()) break;
+  }
+  if (count < 60) return;
+  for (const int number :
+       {all.full, all.held, all.failed, all.events, all.event_waits, all.vanished}) {
+    EXPECT_GT(number, 5);
   }
 }
 

@@ -35,7 +35,7 @@ FLOW    := --mpu $(MPU) --board $(BOARD)
 help: ## this list
 	@echo 'make TARGET [NAME=VALUE ...]'
 	@grep -E '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | \
-	  awk -F ':.*## ' '{ printf "  %-9s %s\n", $$1, $$2 }'
+	  awk -F ':.*## ' '{ printf "  %-11s %s\n", $$1, $$2 }'
 	@echo 'Values (defaults): MPU="$(MPU)" BOARD="$(BOARD)" SEEDS="$(SEEDS)" CONFIG=$(CONFIG) JOBS=$(JOBS)'
 
 # One CMake build directory: configure if needed, then build.
@@ -144,6 +144,14 @@ plant: ## an hour of plant time of the controller, beside the reference and a cl
 	@build/bin/rung-plant $(MINUTES) $$(date +%F) >build/plant.md
 	@mv build/plant.md reports/plant.md
 	@echo 'wrote reports/plant.md'
+
+.PHONY: flow-report
+flow-report: ## the paper's experiment with 1 to 100 flow tasks: reports/flow.md
+	@scripts/setup.sh test
+	$(call cmake_build,build/release,$(RELEASE),--target rung-flow)
+	@build/bin/rung-flow $$(date +%F) build/flow.md build/flow.json --jobs $(JOBS)
+	@mv build/flow.md build/flow.json reports/
+	@echo 'wrote reports/flow.md and flow.json'
 
 .PHONY: programs
 programs: build ## real lists and LDmicro programs: which run, what each instruction costs: reports/programs.md

@@ -21,7 +21,7 @@ ROOT = Path(__file__).resolve().parent.parent
 BUILD = ROOT / "build" / "fuzz"
 CORPUS = ROOT / "tb" / "fuzz" / "corpus"
 READERS = ("list", "csv", "ld", "comments", "stimulus", "trace", "image", "ldmicro_trace", "bytecode",
-           "io_map", "load_file")
+           "io_map", "load_file", "flow")
 # A reader that takes longer than this for one input of MAX_BYTES hangs.
 HANG_SECONDS = 10
 MAX_BYTES = 4096

@@ -37,7 +37,7 @@ def load(isa_dir, configs):
     return {"control": control, "maps": maps, "boards": boards["board"],
             "tables": (crc ^ crc >> 16) & 0xFFFF,
             "ids": {name: config["id"] for name, config in configs["config"].items()},
-            "devices": {name: {key: config[key] for key in ("bit_devices", "word_devices")}
+            "devices": {name: {key: config[key] for key in ("bit_devices", "word_devices", "flow")}
                         for name, config in configs["config"].items()}}
 
 
@@ -88,7 +88,8 @@ def verilog(tables, notice):
     out.append("\n// Parameters of a controller: its configuration's device map")
     for name, sizes in tables["maps"].items():
         out.append(f"`define RUNG_{name.upper()}_MAP .CONFIG_ID({tables['ids'][name]}), "
-                   f".BIT_POINTS({sizes['bit']}), .WORD_POINTS({sizes['word']})")
+                   f".BIT_POINTS({sizes['bit']}), .WORD_POINTS({sizes['word']}), "
+                   f".FLOW({tables['devices'][name]['flow']})")
     out.append("\n// Parameters of a controller: its board")
     for name, board in tables["boards"].items():
         out.append(f"`define RUNG_BOARD_{name.upper()} .BOARD_ID({board['id']}), "
@@ -99,10 +100,11 @@ def verilog(tables, notice):
     return "\n".join(out + ["\n`endif\n"])
 
 
-def c_header(tables, notice):
+def c_header(tables, notice, more):
+    """`more`: further constants, as numbers() gives them."""
     out = [f"/* SPDX-License-Identifier: Apache-2.0 */\n/* {notice} */",
            "#ifndef RUNG_CONTROLLER_H\n#define RUNG_CONTROLLER_H\n"]
-    out += [f"#define {name.upper()} {value}" for name, value in numbers(tables)]
+    out += [f"#define {name.upper()} {value}" for name, value in numbers(tables) + more]
     for name, sizes in tables["maps"].items():
         rows = " ".join(f"AREA({TABLES.index(a['table'])}, {a['first']}, {a['count']}, {a['index']}, "
                         f"{int(a['coils'])})" for a in sizes["areas"])

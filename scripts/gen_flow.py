@@ -3,11 +3,12 @@
 
 rung_flow.vh    Verilog: sizes, spaces, registers, frames of the link
 rung_flow.hpp   C++: the same as constants in namespace rung::flow
+Its constants stand in rung_controller.h too, for the firmware.
 """
 import tomllib
 
 GROUPS = {"space": "SPACE", "flow_setup": "FLOW_SETUP", "board_bit": "BOARD_BIT", "status": "FLOW_STATUS",
-          "type": "LINK_TYPE", "register": "REG"}
+          "type": "LINK_TYPE", "register": "REG", "holding": "HOLDING"}
 
 
 def load(isa_dir, controller):
@@ -16,7 +17,7 @@ def load(isa_dir, controller):
     for group in GROUPS:
         taken = set()
         for row in controller.get(group, []) + table[group]:
-            places = range(row["number"], row["number"] + row.get("count", 1))
+            places = range(row["number"], row["number"] + row.get("count", row.get("words", 1)))
             assert taken.isdisjoint(places), f"{group} {row['name']}: number is taken"
             taken.update(places)
     return table
@@ -30,7 +31,7 @@ def numbers(table):
             out.append((f"{prefix}_{row['name']}", row["number"]))
             if "count" in row:
                 out.append((f"{prefix}_{row['name']}_count", row["count"]))
-    for group in ("flow", "link"):
+    for group in ("flow", "clocks", "link"):
         out += [(f"{group}_{key}", value) for key, value in table[group].items()]
     return out
 

@@ -128,7 +128,7 @@ def cpp(isa, configs):
         out.append(f'RUNG_CONFIG({config_name}, {c["steps_mpu1"]}, {c["steps_mpu2"]}, '
                    f'{c["steps_mpu3"]}, {c["bit_devices"]}, {c["word_devices"]}, '
                    f'{c["mul_latency"]}, {c["div_latency"]}, {c["mul32_latency"]}, '
-                   f'{c["div32_latency"]}, {c["clock_hz"]})')
+                   f'{c["div32_latency"]}, {c["clock_hz"]}, {c["flow"]})')
     for macro in ("LAYOUT", "OPCODE", "PROCESSOR", "CONFIG"):
         out.append(f"#undef RUNG_{macro}")
     return "\n".join(out) + "\n"
@@ -256,9 +256,9 @@ def main(argv):
         write(out / "configs.cmake", cmake(configs))
         tables = gen_controller.load(ISA_DIR, configs)
         write(out / "rung_controller.vh", gen_controller.verilog(tables, NOTICE))
-        write(out / "rung_controller.h", gen_controller.c_header(tables, NOTICE))
         write(out / "rung_controller.hpp", gen_controller.cpp(tables, NOTICE))
         flow = gen_flow.load(ISA_DIR, tables["control"])
+        write(out / "rung_controller.h", gen_controller.c_header(tables, NOTICE, gen_flow.numbers(flow)))
         write(out / "rung_flow.vh", gen_flow.verilog(flow, NOTICE))
         write(out / "rung_flow.hpp", gen_flow.cpp(flow, NOTICE))
         gen_firmware.write_rom(out, tables, NOTICE)

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Lint everything: each check says its name and, if it finds something, what. Exit 1 if any does.
 
-Verilator -Wall   every processor with and without its retire port, in every board top; the controller in its own
+Verilator -Wall   every processor with and without its retire port, in every board top; the controller in its own;
+                  the link and the panel client by themselves
 verible           every Verilog file, rules of hdl/verible.rules
 pins              ports of the controller's board tops, constraints and hdl/isa/boards.toml agree
 clang-format      every C and C++ file
@@ -42,8 +43,12 @@ def verilator() -> list[str]:
             runs.append((board.name, list(rung_design(mpu, board).sources), [f"-GMPU={mpu}"]))
     for board in PLC_BOARDS.values():
         runs.append((board.name, [*plc_design(board).sources, ROOT / "tb" / "boards" / "USRMCLK.v"], []))
-    flow = [*sorted((ROOT / "hdl" / "flow").glob("flow_*.v")), ROOT / "hdl" / "core" / "bank_ram.v"]
-    runs += [(top, flow, []) for top in ("flow_scheduler", "flow_pool")]
+    flow = ROOT / "hdl" / "flow"
+    uart = [ROOT / "hdl" / "controller" / "host_uart.v", *sorted((ROOT / "hdl" / "peripherals").glob("uart_*x.v"))]
+    ram = ROOT / "hdl" / "core" / "bank_ram.v"
+    runs += [(top, [*sorted(flow.glob("flow_*.v")), ram], []) for top in ("flow_scheduler", "flow_pool")]
+    runs.append(("link", [*sorted(flow.glob("link*.v")), flow / "receive_ring.v", ram], []))
+    runs.append(("panel_client", [flow / "panel_client.v", flow / "link_crc.v", *uart], []))
     for top, sources, options in runs:
         found.append(output([VERILATOR, "--lint-only", "-Wall", *INCLUDE, *options,
                              "--top-module", top, *map(str, sources)]))

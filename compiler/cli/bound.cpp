@@ -2,7 +2,9 @@
 #include "cli/bound.hpp"
 
 #include "load/load_file.hpp"
+#include "reference/flow_run.hpp"
 #include "rung_controller.hpp"
+#include "rungs/devices.hpp"
 #include "source/text_file.hpp"
 
 namespace rung::cli {
@@ -33,14 +35,30 @@ Bound bind_image(const image::Image& image, const std::optional<io::Map>& map,
   return bound;
 }
 
+io::Subject subject_of(const Input& input, const Options& options) {
+  const std::string_view config = config_of(options).name;
+  if (input.image) return load::subject_of(*input.image);
+  if (input.program) return io::subject_of(*input.program, config);
+  io::Subject subject;
+  subject.file = input.flow->file;
+  subject.dialect = input.flow->dialect;
+  subject.config = config;
+  for (const Device device : visible_devices(*input.flow)) {
+    const auto& comments = input.flow->ladder.comments;
+    const auto comment = comments.find(device);
+    subject.devices.push_back({device, device_name(device, subject.dialect),
+                               comment == comments.end() ? std::string() : comment->second});
+  }
+  return subject;
+}
+
 void check_io(const Input& input, const std::optional<io::Map>& map, const Options& options,
               Diagnostics& diagnostics) {
   if (!map) return;
   if (input.image) {
     static_cast<void>(bind_image(*input.image, map, options, diagnostics));
   } else {
-    const io::Subject subject = io::subject_of(*input.program, config_of(options).name);
-    static_cast<void>(io::bind(*map, subject, diagnostics));
+    static_cast<void>(io::bind(*map, subject_of(input, options), diagnostics));
   }
 }
 

@@ -24,6 +24,8 @@ struct Bound {
 // An image with its map, or the default one (board simulated) without.
 Bound bind_image(const image::Image& image, const std::optional<io::Map>& map,
                  const Options& options, Diagnostics& diagnostics);
+// What a map may name.
+io::Subject subject_of(const Input& input, const Options& options);
 // For commands on which a map has no effect: it is checked.
 void check_io(const Input& input, const std::optional<io::Map>& map, const Options& options,
               Diagnostics& diagnostics);

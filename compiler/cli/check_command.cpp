@@ -71,12 +71,19 @@ int compare(const Options& options, const Golden& golden, const Stimulus& stimul
 int check_command(const Options& given) {
   Options options = given;
   Diagnostics diagnostics;
+  if (is_flow_file(options.program)) {
+    diagnostics.error(options.program, {}, "golden traces of flow programs are not compared",
+                      "write the program's trace and compare the two files: rung run PROGRAM.flow "
+                      "--mpu reference --trace FILE");
+    return report(diagnostics);
+  }
   const auto map = read_io(options, diagnostics);
   const auto golden = read_golden(options, diagnostics);
   if (!golden) return report(diagnostics);
   const auto dialect = find_dialect(golden->header.dialect);
   auto input = read_input(options, true, dialect, diagnostics);
   if (!input) return report(diagnostics);
+  refuse_flow_image(*input);
   check_io(*input, map, options, diagnostics);
   if (diagnostics.has_errors()) return report(diagnostics);
   const auto asked_tick = tick_of(options, *input);
@@ -97,7 +104,7 @@ int check_command(const Options& given) {
         [](const std::string&) { return std::string(); });
   } else {
     if (!input->image) {
-      auto compiled = compile_input(*input->program, options, diagnostics);
+      auto compiled = compile_input(*input, options, diagnostics);
       if (!compiled) return report(diagnostics);
       input->image = std::move(compiled->image);
     }

@@ -49,8 +49,7 @@ std::optional<io::Subject> names_for(const Options& options, const std::string& 
   if (!input || diagnostics.has_errors()) return std::nullopt;
   check_io(*input, map, of_program, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
-  return input->image ? load::subject_of(*input->image)
-                      : io::subject_of(*input->program, config_of(of_program).name);
+  return subject_of(*input, of_program);
 }
 
 }  // namespace rung::cli

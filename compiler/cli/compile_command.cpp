@@ -5,6 +5,7 @@
 
 #include "cli/bound.hpp"
 #include "image/image_file.hpp"
+#include "load/flow_bound.hpp"
 #include "load/load_file.hpp"
 #include "rung_controller.hpp"
 #include "source/text_file.hpp"
@@ -26,7 +27,13 @@ nlohmann::ordered_json to_json(const Bound& bound) {
           {"edge_to_edge_most_clocks", t.worst}};
 }
 
-std::string to_json(const Compiled& compiled, const std::optional<Bound>& bound) {
+// With what surrounds a round, where a map has said it.
+load::FlowBound flow_bound_of(const image::Image& image, const std::optional<Bound>& bound) {
+  return load::flow_bound(image, bound ? load::phases_of(bound->timing, image) : load::Phases{});
+}
+
+std::string to_json(const Compiled& compiled, const std::optional<Bound>& bound,
+                    const Options& options) {
   const image::Image& image = compiled.image;
   const image::Statistics& s = image.statistics;
   nlohmann::ordered_json out;
@@ -57,6 +64,9 @@ std::string to_json(const Compiled& compiled, const std::optional<Bound>& bound)
                        {"above_lower_bound", r.steps - r.lower_bound}};
   }
   if (bound) out["controller"] = to_json(*bound);
+  if (image.flow) {
+    out["flow"] = load::to_json(flow_bound_of(image, bound), *image.flow, clock_of(options, image));
+  }
   return out.dump() + "\n";
 }
 
@@ -66,6 +76,18 @@ bool write_load_file(const Compiled& compiled, const Bound& bound, const Options
   const auto words = load::make(compiled.image, bound.bindings, bound.timing.clock_hz, diagnostics);
   return words && (options.load_file.empty() ||
                    write_file(options.load_file, load::to_bytes(*words), diagnostics));
+}
+
+// Of a program with flow tasks the bound too.
+std::string flow_summary(const image::Image& image, const std::optional<Bound>& bound,
+                         const Options& options) {
+  return fmt::format(
+      "{}: {} tasks of {} steps, {} instructions in {} rungs; MPU{}: {} instruction steps, {} of "
+      "them the ladder's\n{}",
+      image.program, image.flow->tasks.size(), image.flow->steps.size(),
+      image.statistics.instructions, image.statistics.rungs, static_cast<int>(image.mpu),
+      image.steps.size(), image.flow->ladder_steps,
+      load::to_string(flow_bound_of(image, bound), *image.flow, clock_of(options, image)));
 }
 
 std::string summary(const Compiled& compiled) {
@@ -85,16 +107,19 @@ int compile_command(const Options& given) {
   Options options = given;
   Diagnostics diagnostics;
   const auto map = read_io(options, diagnostics);
-  const auto program = read_program(options, diagnostics);
-  if (!program || (diagnostics.has_errors() && !map)) return report(diagnostics);
+  if (is_flow_file(options.program) && !options.dump.empty()) {
+    throw UsageError("--dump is for lists and LDmicro programs; this is a flow program");
+  }
+  const auto input = read_input(options, false, std::nullopt, diagnostics);
+  if (!input || (diagnostics.has_errors() && !map)) return report(diagnostics);
   if (!options.dump.empty()) {
     CompileOptions how;
     how.paper = options.paper;
-    const Dumps dumps = dump_passes(*program, how);
+    const Dumps dumps = dump_passes(*input->program, how);
     fmt::print("{}", options.dump == "logic" ? dumps.logic : dumps.mapping);
     return report(diagnostics);
   }
-  const auto compiled = compile_input(*program, options, diagnostics);
+  const auto compiled = compile_input(*input, options, diagnostics);
   if (!compiled) return report(diagnostics);
   std::optional<Bound> bound;
   if (map || options.bindings || !options.load_file.empty()) {
@@ -108,13 +133,16 @@ int compile_command(const Options& given) {
     return report(diagnostics);
   }
   if (options.json) {
-    fmt::print("{}", to_json(*compiled, bound));
+    fmt::print("{}", to_json(*compiled, bound, options));
   } else if (options.listing) {
     fmt::print("{}", image::listing(compiled->image));
   } else if (options.bindings) {
     fmt::print("{}", io::table(bound->bindings, bound->subject));
   } else if (options.output != "-" && options.load_file != "-") {
-    fmt::print("{}{}", summary(*compiled), map ? load::to_string(bound->timing) : "");
+    fmt::print(
+        "{}{}",
+        compiled->image.flow ? flow_summary(compiled->image, bound, options) : summary(*compiled),
+        map ? load::to_string(bound->timing) : "");
   }
   return report(diagnostics);
 }

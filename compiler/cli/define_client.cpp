@@ -37,7 +37,7 @@ void define_load(CLI::App& app, Options& options) {
                                   "compile a program, download it to a controller and run it");
   command
       ->add_option("PROGRAM", options.program,
-                   "instruction list, CSV export, LDmicro program (.ld) or image")
+                   "instruction list, CSV export, LDmicro (.ld) or flow program (.flow), or image")
       ->required();
   define_common(*command, options);
   define_mpu(*command, options, false);
@@ -132,7 +132,7 @@ void define_export(CLI::App& app, Options& options) {
                                   "write names and Modbus addresses for a SCADA");
   command
       ->add_option("PROGRAM", options.program,
-                   "instruction list, CSV export, LDmicro program (.ld) or image")
+                   "instruction list, CSV export, LDmicro (.ld) or flow program (.flow), or image")
       ->required();
   define_common(*command, options);
   command->add_option("--symbols", options.symbols, "the CSV file; - is standard output")

@@ -58,8 +58,8 @@ std::optional<std::vector<std::uint16_t>> load_words(Options options,
   options.clock_hz = static_cast<std::int64_t>(1000 * options.clocks_per_ms);
   auto input = read_input(options, true, std::nullopt, diagnostics);
   if (!input) return std::nullopt;
-  if (input->program) {
-    auto compiled = compile_input(*input->program, options, diagnostics);
+  if (!input->image) {
+    auto compiled = compile_input(*input, options, diagnostics);
     if (!compiled) return std::nullopt;
     input->image = std::move(compiled->image);
   }

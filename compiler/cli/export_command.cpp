@@ -50,9 +50,7 @@ int export_command(const Options& given) {
   if (!input) return report(diagnostics);
   check_io(*input, map, options, diagnostics);
   if (diagnostics.has_errors()) return report(diagnostics);
-  const io::Subject subject = input->image
-                                  ? load::subject_of(*input->image)
-                                  : io::subject_of(*input->program, config_of(options).name);
+  const io::Subject subject = subject_of(*input, options);
   int without = 0;
   const std::string text = symbols(subject, without);
   if (without > 0) {

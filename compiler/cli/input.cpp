@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <iostream>
 
+#include "driver/compile_flow.hpp"
+#include "flowchart/read.hpp"
 #include "image/image_file.hpp"
 #include "ldmicro/ldmicro.hpp"
 #include "melsec/comments.hpp"
@@ -45,10 +47,30 @@ std::optional<Program> parse_ld_file(std::string_view bytes, const Options& opti
   return text ? parse_ldmicro(*text, diagnostics) : std::nullopt;
 }
 
-bool is_ld_file(const std::string& file) {
-  const std::string suffix = std::filesystem::path(file).extension().string();
-  return suffix == ".ld" || suffix == ".LD";
+// A flow program says its dialect itself; names come from a comment file as those of a list do.
+std::optional<flowchart::Flowchart> parse_flow_file(std::string_view bytes, const Options& options,
+                                                    Diagnostics& diagnostics) {
+  if (options.paper) throw UsageError("--paper is for lists; this is a flow program");
+  if (!options.dialect.empty()) {
+    throw UsageError("--dialect is for lists; a flow program says its dialect in its first lines");
+  }
+  const auto text = decode_text(bytes, options.program, diagnostics);
+  if (!text) return std::nullopt;
+  auto chart = flowchart::parse(*text, diagnostics);
+  if (chart && !options.comments.empty()) {
+    auto comments = read_comments(options.comments, chart->dialect, diagnostics);
+    if (!comments) return std::nullopt;
+    chart->ladder.comments = std::move(*comments);
+  }
+  return chart;
 }
+
+bool has_suffix(const std::string& file, std::string_view lower, std::string_view upper) {
+  const std::string suffix = std::filesystem::path(file).extension().string();
+  return suffix == lower || suffix == upper;
+}
+
+bool is_ld_file(const std::string& file) { return has_suffix(file, ".ld", ".LD"); }
 
 // The dialect that the program's suffix or an option gives; nothing if the program decides.
 std::optional<Dialect> known_dialect(const Options& options, std::optional<Dialect> fallback) {
@@ -91,6 +113,12 @@ std::optional<Input> read_input(const Options& options, bool images,
     input.dialect = *find_dialect(input.image->dialect);
     return input;
   }
+  if (is_flow_file(options.program)) {
+    input.flow = parse_flow_file(*bytes, options, diagnostics);
+    if (!input.flow) return std::nullopt;
+    input.dialect = input.flow->dialect;
+    return input;
+  }
   const std::optional<Dialect> dialect = known_dialect(options, fallback);
   input.program = dialect == Dialect::Ldmicro
                       ? parse_ld_file(*bytes, options, diagnostics)
@@ -100,23 +128,29 @@ std::optional<Input> read_input(const Options& options, bool images,
   return input;
 }
 
-std::optional<Program> read_program(const Options& options, Diagnostics& diagnostics) {
-  auto input = read_input(options, false, std::nullopt, diagnostics);
-  if (!input) return std::nullopt;
-  return std::move(input->program);
+bool is_flow_file(const std::string& file) { return has_suffix(file, ".flow", ".FLOW"); }
+
+void refuse_flow_image(const Input& input) {
+  if (!input.image || !input.image->flow) return;
+  throw UsageError(
+      "this image has flow tasks, which only a controller runs (rung load); the program itself "
+      "runs "
+      "with `rung run PROGRAM.flow --mpu reference`");
 }
 
-std::optional<Compiled> compile_input(const Program& program, const Options& options,
+std::optional<Compiled> compile_input(const Input& input, const Options& options,
                                       Diagnostics& diagnostics) {
   CompileOptions how;
   how.mpu = static_cast<isa::Mpu>(mpu_of(options).value_or(options.default_mpu));
   how.paper = options.paper;
   how.config = &config_of(options);
   how.search.seed = options.seed;
-  return compile(program, how, diagnostics);
+  return input.flow ? compile_flow(*input.flow, how, diagnostics)
+                    : compile(*input.program, how, diagnostics);
 }
 
 DeviceNames names_of(const Input& input) {
+  if (input.flow) return {input.flow->dialect};
   return input.program ? DeviceNames(*input.program) : tb::names_of(*input.image);
 }
 

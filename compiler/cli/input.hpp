@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a command works on: a program from its source, or an image.
+// What a command works on: a program from its source, one of flow tasks too, or an image.
 #pragma once
 
 #include <functional>
@@ -9,6 +9,7 @@
 
 #include "cli/options.hpp"
 #include "driver/compile.hpp"
+#include "flowchart/flowchart.hpp"
 #include "harness/processor.hpp"
 #include "lockstep/machine.hpp"
 #include "trace/stimulus.hpp"
@@ -20,6 +21,7 @@ int report(const Diagnostics& diagnostics);
 
 struct Input {
   std::optional<Program> program;
+  std::optional<flowchart::Flowchart> flow;
   std::optional<image::Image> image;
   Dialect dialect = Dialect::Fx;
 };
@@ -29,11 +31,14 @@ struct Input {
 std::optional<Input> read_input(const Options& options, bool images,
                                 std::optional<Dialect> fallback, Diagnostics& diagnostics);
 
-// PROGRAM from its source alone.
-std::optional<Program> read_program(const Options& options, Diagnostics& diagnostics);
+// The suffix says that PROGRAM is one of flow tasks.
+bool is_flow_file(const std::string& file);
+// Flow tasks run in rounds, which a processor alone does not make: wrong usage for an image that
+// has some.
+void refuse_flow_image(const Input& input);
 
-// The compiled program with the options' processor (3 if none is given).
-std::optional<Compiled> compile_input(const Program& program, const Options& options,
+// The compiled program with the options' processor (3 if none is given); `input` is no image.
+std::optional<Compiled> compile_input(const Input& input, const Options& options,
                                       Diagnostics& diagnostics);
 
 // What a stimulus may name.

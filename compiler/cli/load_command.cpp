@@ -59,7 +59,7 @@ int load_command(const Options& given) {
   auto input = read_input(options, true, std::nullopt, diagnostics);
   if (!input || (!options.io.empty() && !map)) return report(diagnostics);
   if (!input->image) {
-    auto compiled = compile_input(*input->program, options, diagnostics);
+    auto compiled = compile_input(*input, options, diagnostics);
     if (!compiled) return report(diagnostics);
     input->image = std::move(compiled->image);
   }

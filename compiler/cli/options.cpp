@@ -13,8 +13,10 @@ void define_compile(CLI::App& app, Options& options) {
   CLI::App* command =
       add_command(app, options, Command::Compile, "compile", "compile a program for a processor");
   command
-      ->add_option("PROGRAM", options.program,
-                   "instruction list, CSV export or LDmicro program (.ld); - is standard input")
+      ->add_option(
+          "PROGRAM", options.program,
+          "instruction list, CSV export, LDmicro (.ld) or flow program (.flow); - is standard "
+          "input")
       ->required();
   define_common(*command, options);
   define_mpu(*command, options, false);
@@ -42,7 +44,7 @@ void define_run(CLI::App& app, Options& options) {
   CLI::App* command = add_command(app, options, Command::Run, "run", "run a program or an image");
   command
       ->add_option("PROGRAM", options.program,
-                   "instruction list, CSV export, LDmicro program (.ld) or image")
+                   "instruction list, CSV export, LDmicro (.ld) or flow program (.flow), or image")
       ->required();
   define_common(*command, options);
   define_mpu(*command, options, true);

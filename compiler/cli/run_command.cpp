@@ -5,6 +5,7 @@
 
 #include "cli/bound.hpp"
 #include "lockstep/lockstep.hpp"
+#include "reference/flow_run.hpp"
 #include "reference/run.hpp"
 #include "source/text_file.hpp"
 
@@ -30,6 +31,19 @@ void run_reference(const Program& program, bool state, Session& session) {
   for (std::uint64_t k = 0; k < session.scans; ++k) {
     keep(session, run.scan(session.stimulus.events(k)));
   }
+}
+
+// Rounds, of which each is a scan; gives what to say of them.
+std::string run_rounds(const flowchart::Flowchart& chart, const Options& options,
+                       Session& session) {
+  FlowRun run(chart, options.state, session.tick_us, std::string(config_of(options).name));
+  session.trace.header = run.header();
+  for (std::uint64_t k = 0; k < session.scans; ++k) {
+    keep(session, run.scan(session.stimulus.events(k)));
+  }
+  const int lost = run.without_answer();
+  return "rounds on the reference" +
+         (lost == 0 ? "" : fmt::format("; transfers over links without an answer: {}", lost));
 }
 
 // An image has no source to compare with: the processor alone.
@@ -92,6 +106,12 @@ bool read_session(const Options& options, const Input& input, Session& session,
 int run_command(const Options& given) {
   Options options = given;
   const auto mpu = mpu_of(options);
+  if (is_flow_file(options.program) && mpu != 0) {
+    throw UsageError(
+        "flow tasks run in rounds, which a processor alone does not make: --mpu reference runs "
+        "them "
+        "here, a controller after rung load");
+  }
   Diagnostics diagnostics;
   const auto map = read_io(options, diagnostics);
   Session session;
@@ -99,6 +119,7 @@ int run_command(const Options& given) {
   if (!input || !read_session(options, *input, session, diagnostics)) {
     return report(diagnostics);
   }
+  refuse_flow_image(*input);
   check_io(*input, map, options, diagnostics);
   if (diagnostics.has_errors()) return report(diagnostics);
 
@@ -107,11 +128,13 @@ int run_command(const Options& given) {
     const auto target = make_target(std::move(*input->image), session.tick_us);
     run_image(*target->machine, options.state, session);
     what = fmt::format("{} clocks each", target->image.clocks);
+  } else if (input->flow) {
+    what = run_rounds(*input->flow, options, session);
   } else if (mpu == 0) {
     run_reference(*input->program, options.state, session);
     what = "on the reference";
   } else {
-    auto compiled = compile_input(*input->program, options, diagnostics);
+    auto compiled = compile_input(*input, options, diagnostics);
     if (!compiled) return report(diagnostics);
     const auto target = make_target(std::move(compiled->image), session.tick_us);
     const int code = run_lockstep(*input->program, *target->machine, options, session);

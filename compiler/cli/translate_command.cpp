@@ -52,6 +52,13 @@ int translate_command(const Options& given) {
   Options options = given;
   check_usage(options);
   Diagnostics diagnostics;
+  if (is_flow_file(options.program)) {
+    diagnostics.error(options.program, {},
+                      "flow tasks cannot be written in another form: none has steps that wait",
+                      "compile the program for a controller: rung compile; its ladder is a list of "
+                      "its own that can be translated");
+    return report(diagnostics);
+  }
   const auto map = read_io(options, diagnostics);
   auto input = read_input(options, false, std::nullopt, diagnostics);
   if (!input) return report(diagnostics);

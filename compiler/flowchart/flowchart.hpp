@@ -16,7 +16,7 @@
 namespace rung::flowchart {
 
 // Words through which steps and the task hardware speak. No program names them. Numbers are above
-// any that the lowering gives to its own.
+// any that the lowering gives to its own. All are 0 at the start.
 inline constexpr std::uint32_t kFirstFlowWord = 0x10000;
 inline constexpr Device kNextStep{DeviceKind::HW,
                                   kFirstFlowWord};  // number of the next step, kTaskEnds
@@ -24,19 +24,30 @@ inline constexpr Device kTaskCommand{DeviceKind::HW,
                                      kFirstFlowWord + 1};  // kStart + task: start, task: stop
 inline constexpr Device kStatus{DeviceKind::HW,
                                 kFirstFlowWord + 2};  // of the last transfer, 0: done
-inline constexpr Device kMilliseconds{DeviceKind::HW,
-                                      kFirstFlowWord + 3};  // a clock, modulo 2^16, of each round
-inline constexpr Device kTenths{DeviceKind::HW, kFirstFlowWord + 4};  // the same in 100 ms
+// Clocks modulo 2^16. Steps only read them; whoever runs the rounds adds the ticks since the round
+// before, once a round: reference/flow_rounds, and in a controller a rung of the ladder's routine.
+inline constexpr Device kMilliseconds{DeviceKind::HW, kFirstFlowWord + 3};
+inline constexpr Device kTenths{DeviceKind::HW, kFirstFlowWord + 4};  // of 100 ms
 // When the wait of task n began, by one of the two clocks.
 constexpr Device wait_since(std::size_t task) {
   return {DeviceKind::HW, kFirstFlowWord + 0x100 + static_cast<std::uint32_t>(task)};
 }
-// Intermediate results of an expression; no step relies on what another left there.
+// Intermediate results of an expression; no step relies on what another left there, and a pair
+// (n, n + 1) takes quotient and remainder of a DIV.
 constexpr Device scratch(std::uint32_t n) { return {DeviceKind::HW, kFirstFlowWord + 0x200 + n}; }
-// 1 while task n is started, as far as steps have started and stopped it: what `running` reads.
-constexpr Device task_runs(std::size_t task) {
+// 1 while task n is not as it was at the start: one that starts with the program is stopped or has
+// ended, another one runs. Steps keep it, those that start, stop and end the task, and only where
+// some condition asks `running`.
+constexpr Device task_turned(std::size_t task) {
   return {DeviceKind::HB, kFirstFlowWord + static_cast<std::uint32_t>(task)};
 }
+// The read of a step of task n failed, for the conditions behind its write.
+constexpr Device read_failed(std::size_t task) {
+  return {DeviceKind::HB, kFirstFlowWord + 0x100 + static_cast<std::uint32_t>(task)};
+}
+// Nothing writes it: LDI of it begins rungs that always run where the dialect has no relay that is
+// always on.
+inline constexpr Device kNever{DeviceKind::HB, kFirstFlowWord + 0x200};
 inline constexpr std::int16_t kTaskEnds = -1;
 inline constexpr std::int16_t kStart = 256;
 
@@ -64,7 +75,8 @@ struct Step {
   std::string name;  // the source's; one that a wait adds has that of its step
   std::size_t task = 0;
   // Its rungs; of those that branch: LD ... MOV K<step> kNextStep, the last one that is executed
-  // counts.
+  // counts. They name no flags and no error relays, so that their arithmetic writes none, whatever
+  // the ladder names.
   Program rungs;
   std::optional<Transfer> read;   // before the rungs
   std::optional<Transfer> write;  // after them

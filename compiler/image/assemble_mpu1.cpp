@@ -83,26 +83,24 @@ Opcode plain_opcode(Op op) {
 
 class Assembler {
  public:
-  Assembler(const Program& source, const core::Program& program, const isa::Config& config)
-      : program_(program), config_(config), addresses_(source, program, config) {
-    image_ = start_image(source, program, addresses_, config, isa::Mpu::Mpu1);
-  }
+  Assembler(const core::Program& program, const Addresses& addresses, const isa::Config& config)
+      : program_(program), config_(config), addresses_(addresses) {}
 
-  Image assemble() {
+  Routine assemble() {
     for (const core::Instruction& instruction : program_.instructions) {
       now_ = &instruction;
       add();
     }
-    image_.clocks = isa::constant::fill_clocks;
-    for (const auto& step : image_.steps) image_.clocks += config_.clocks(step[0].opcode);
-    return std::move(image_);
+    out_.clocks = isa::constant::fill_clocks;
+    for (const auto& step : out_.steps) out_.clocks += config_.clocks(step[0].opcode);
+    return std::move(out_);
   }
 
  private:
   void emit(const SlotInstruction& instruction) {
-    image_.steps.push_back({instruction});
-    image_.origins.push_back({static_cast<int>(now_->origin)});
-    image_.quiet.push_back({static_cast<std::uint8_t>(now_->quiet ? 1 : 0)});
+    out_.steps.push_back({instruction});
+    out_.origins.push_back({static_cast<int>(now_->origin)});
+    out_.quiet.push_back({static_cast<std::uint8_t>(now_->quiet ? 1 : 0)});
   }
   void emit(Opcode opcode) {
     SlotInstruction out;
@@ -228,16 +226,26 @@ class Assembler {
 
   const core::Program& program_;
   const isa::Config& config_;
-  Addresses addresses_;
-  Image image_;
+  const Addresses& addresses_;
+  Routine out_;
   const core::Instruction* now_ = nullptr;
 };
 
 }  // namespace
 
+Routine assemble_routine(const core::Program& program, const Addresses& addresses,
+                         const isa::Config& config) {
+  return Assembler(program, addresses, config).assemble();
+}
+
 Image assemble_mpu1(const Program& source, const core::Program& program,
                     const isa::Config& config) {
-  return Assembler(source, program, config).assemble();
+  const Addresses addresses(source, program, config);
+  Image image = start_image(source, program, addresses, config, isa::Mpu::Mpu1);
+  const Routine routine = assemble_routine(program, addresses, config);
+  append(image, routine, 0);
+  image.clocks = routine.clocks;
+  return image;
 }
 
 }  // namespace rung::image

@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
-#include <set>
-
 #include "image/frame.hpp"
 
 namespace rung::image {
@@ -15,19 +12,15 @@ using mapping::MappedOp;
 
 class SlotAssembler {
  public:
-  SlotAssembler(const Addresses& addresses, const schedule::Temporaries& temporaries)
-      : addresses_(addresses), temporaries_(temporaries) {}
-
-  const std::vector<std::uint8_t>& lut() const { return lut_; }
-  int rows_used() const { return static_cast<int>(rows_used_.size()); }
-  bool rows_fit() const { return lut_.size() <= isa::constant::lut_rows; }
+  SlotAssembler(const Addresses& addresses, const schedule::Temporaries& temporaries, Rows& rows)
+      : addresses_(addresses), temporaries_(temporaries), rows_(rows) {}
 
   SlotInstruction assemble(const MappedOp& op) {
     SlotInstruction out;
     out.opcode = op.opcode;
     out.always = op.always;
     if (mapping::is_lookup(op.opcode)) {
-      out.row = row(op);
+      out.row = rows_.of(op);
       set_inputs(out, op);
     } else if (op.opcode == Opcode::Get) {
       set_inputs(out, op);
@@ -86,35 +79,19 @@ class SlotAssembler {
     out.c = operand(op.inputs[2]);
   }
 
-  std::uint8_t row(const MappedOp& op) {
-    if (op.paper_row) {
-      if (lut_.size() <= *op.paper_row) lut_.resize(*op.paper_row + 1, 0);
-      lut_[*op.paper_row] = op.function;
-      rows_used_.insert(*op.paper_row);
-      return *op.paper_row;
-    }
-    const auto found = std::find(lut_.begin(), lut_.end(), op.function);
-    const auto index = static_cast<std::size_t>(found - lut_.begin());
-    if (found == lut_.end()) lut_.push_back(op.function);
-    rows_used_.insert(static_cast<int>(index));
-    return static_cast<std::uint8_t>(index & 0x7f);
-  }
-
   const Addresses& addresses_;
   const schedule::Temporaries& temporaries_;
-  std::vector<std::uint8_t> lut_;
-  std::set<int> rows_used_;
+  Rows& rows_;
 };
 
 }  // namespace
 
-bool assemble_slots(const Program& source, const core::Program& program,
-                    const mapping::Mapping& mapping, const schedule::Schedule& schedule,
-                    const schedule::Temporaries& temporaries, const isa::Config& config,
-                    isa::Mpu mpu, Image& image) {
-  const Addresses addresses(source, program, config);
-  SlotAssembler assembler(addresses, temporaries);
-  Image out = start_image(source, program, addresses, config, mpu);
+Routine assemble_routine(const core::Program& program, const mapping::Mapping& mapping,
+                         const schedule::Schedule& schedule,
+                         const schedule::Temporaries& temporaries, const Addresses& addresses,
+                         Rows& rows, const isa::Config& config) {
+  SlotAssembler assembler(addresses, temporaries, rows);
+  Routine out;
   for (const auto& step : schedule.steps) {
     auto& instructions = out.steps.emplace_back();
     auto& origins = out.origins.emplace_back();
@@ -130,15 +107,28 @@ bool assemble_slots(const Program& source, const core::Program& program,
       instructions.push_back(assembler.assemble(op));
       origins.push_back(static_cast<int>(program.instructions[op.instruction].origin));
       quiet.push_back(op.quiet ? 1 : 0);
-      if (mapping::is_lookup(op.opcode)) ++out.statistics.lookups;
+      if (mapping::is_lookup(op.opcode)) ++out.lookups;
     }
   }
-  if (!assembler.rows_fit()) return false;
-  out.lut = assembler.lut();
-  out.statistics.lut_rows = assembler.rows_used();
-  out.statistics.bit_devices += temporaries.count;
   out.clocks = schedule::clocks(schedule, mapping, config) + isa::constant::fill_clocks;
-  image = std::move(out);
+  return out;
+}
+
+bool assemble_slots(const Program& source, const core::Program& program,
+                    const mapping::Mapping& mapping, const schedule::Schedule& schedule,
+                    const schedule::Temporaries& temporaries, const isa::Config& config,
+                    isa::Mpu mpu, Image& image) {
+  const Addresses addresses(source, program, config);
+  Rows rows;
+  const Routine routine =
+      assemble_routine(program, mapping, schedule, temporaries, addresses, rows, config);
+  if (!rows.fit()) return false;
+  image = start_image(source, program, addresses, config, mpu);
+  append(image, routine, 0);
+  image.clocks = routine.clocks;
+  image.lut = rows.lut();
+  image.statistics.lut_rows = rows.used();
+  image.statistics.bit_devices += temporaries.count;
   return true;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <set>
+#include <stdexcept>
 
 #include "rungs/footprint.hpp"
 
@@ -12,13 +13,23 @@ namespace rung::image {
 using isa::SlotInstruction;
 using isa::WordKind;
 
-Addresses::Addresses(const Program& source, const core::Program& program,
-                     const isa::Config& config) {
+namespace {
+
+std::set<Device> all_devices(const Program& source, const core::Program& program) {
   std::set<Device> all;
   for (const Device device : visible_devices(source)) all.insert(device);
   for (const Device device : core::devices(program)) all.insert(device);
+  return all;
+}
+
+}  // namespace
+
+Addresses::Addresses(const Program& source, const core::Program& program, const isa::Config& config)
+    : Addresses(all_devices(source, program), config) {}
+
+Addresses::Addresses(const std::set<Device>& devices, const isa::Config& config) {
   // Hidden kinds stand last among the bits and among the words.
-  for (const Device device : all) {
+  for (const Device device : devices) {
     const bool word = is_word(device);
     if (is_port(device.kind)) {
       const int number = static_cast<int>(device.number);
@@ -29,6 +40,45 @@ Addresses::Addresses(const Program& source, const core::Program& program,
       devices_[device] = word ? words_++ : bits_++;
     }
   }
+}
+
+Addresses::Addresses(const Addresses& common, std::map<Device, int> own)
+    : common_(&common),
+      devices_(std::move(own)),
+      bits_(common.bits_),
+      words_(common.words_),
+      port_bits_(common.port_bits_),
+      port_words_(common.port_words_) {}
+
+std::uint16_t Addresses::of(Device device) const {
+  const auto found = devices_.find(device);
+  if (found != devices_.end()) return static_cast<std::uint16_t>(found->second);
+  if (common_ != nullptr) return common_->of(device);
+  throw std::logic_error("internal error in assembly: a device has no address");
+}
+
+std::uint8_t Rows::of(const mapping::MappedOp& op) {
+  if (op.paper_row) {
+    if (lut_.size() <= *op.paper_row) lut_.resize(*op.paper_row + 1, 0);
+    lut_[*op.paper_row] = op.function;
+    used_.insert(*op.paper_row);
+    return *op.paper_row;
+  }
+  const auto found = std::find(lut_.begin(), lut_.end(), op.function);
+  const auto index = static_cast<std::size_t>(found - lut_.begin());
+  if (found == lut_.end()) lut_.push_back(op.function);
+  used_.insert(static_cast<int>(index));
+  return static_cast<std::uint8_t>(index & 0x7f);
+}
+
+void append(Image& image, const Routine& routine, int first_origin) {
+  image.steps.insert(image.steps.end(), routine.steps.begin(), routine.steps.end());
+  image.quiet.insert(image.quiet.end(), routine.quiet.begin(), routine.quiet.end());
+  for (const auto& origins : routine.origins) {
+    auto& step = image.origins.emplace_back(origins);
+    for (int& origin : step) origin += origin < 0 ? 0 : first_origin;
+  }
+  image.statistics.lookups += routine.lookups;
 }
 
 namespace {

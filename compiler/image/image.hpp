@@ -4,11 +4,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/program.hpp"
+#include "image/flow.hpp"
 #include "isa/isa.hpp"
 #include "mapping/mapping.hpp"
 #include "rungs/program.hpp"
@@ -84,6 +86,13 @@ struct Image {
   std::vector<SourceLine> source;  // the instructions of the program
   std::int64_t clocks = 0;         // of one scan, the pipeline's filling included
   Statistics statistics;
+  // Of a program with flow tasks: `clocks` are then its ladder's, all else is of the whole.
+  std::optional<FlowImage> flow;
+
+  // Steps of one scan: what `length` of the load port says.
+  std::size_t length() const {
+    return flow ? static_cast<std::size_t>(flow->ladder_steps) : steps.size();
+  }
 };
 
 // MPU1: the core instructions one after the other, each in as many steps as it takes.

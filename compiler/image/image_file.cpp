@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "image/flow_file.hpp"
+
 namespace rung::image {
 namespace {
 
@@ -79,14 +81,12 @@ json to_json(const Image& image) {
   const Statistics& s = image.statistics;
   out["statistics"] = {s.rungs,   s.instructions, s.contacts,    s.runs,
                        s.lookups, s.lut_rows,     s.bit_devices, s.word_devices};
+  if (image.flow) out["flow"] = flow_to_json(*image.flow);
   return out;
 }
 
-void require(bool condition, const char* what) {
-  if (!condition) throw std::runtime_error(what);
-}
-
-bool inside(int address, int size) { return address >= 0 && address < size; }
+using file::inside;
+using file::require;
 
 // Everything that the processor and the tools index by is checked here, once.
 void check(const Image& image, const isa::Config& config) {
@@ -194,7 +194,9 @@ Image from_json(const json& in) {
   image.statistics = {s.at(0).get<int>(), s.at(1).get<int>(), s.at(2).get<int>(),
                       s.at(3).get<int>(), s.at(4).get<int>(), s.at(5).get<int>(),
                       s.at(6).get<int>(), s.at(7).get<int>()};
+  if (in.contains("flow")) image.flow = flow_from_json(in.at("flow"));
   check(image, *config);
+  if (image.flow) check_flow(image, *config);
   return image;
 }
 

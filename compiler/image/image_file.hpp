@@ -11,7 +11,7 @@
 
 namespace rung::image {
 
-inline constexpr std::uint8_t kFormatVersion = 4;
+inline constexpr std::uint8_t kFormatVersion = 5;
 
 // True if `bytes` begin like an image, whole or damaged.
 bool is_image(std::string_view bytes);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <map>
 #include <optional>
 
 #include "image/image.hpp"
@@ -128,6 +129,45 @@ std::string lookup(const SlotInstruction& instruction, const Image& image) {
   return text;
 }
 
+// "D10 to D13 <- panel, 400 to 403"
+std::string transfer(const Image& image, int number, const char* arrow) {
+  const FlowTransfer& transfer = image.flow->transfer(number);
+  const auto range = [&](const std::string& first, const std::string& last) {
+    return transfer.count == 1 ? first : first + " to " + last;
+  };
+  const int last = transfer.count - 1;
+  return fmt::format(
+      "{} {} {}, {}",
+      range(word_name(transfer.address, image), word_name(transfer.address + last, image)), arrow,
+      image.flow->board_of(transfer).name,
+      range(std::to_string(transfer.first), std::to_string(transfer.first + last)));
+}
+
+// What stands before the routines of a program with flow tasks, by their first instruction step.
+std::multimap<std::size_t, std::string> routine_heads(const Image& image) {
+  std::multimap<std::size_t, std::string> heads;
+  if (!image.flow) return heads;
+  const FlowImage& flow = *image.flow;
+  heads.emplace(0, fmt::format("; ladder, {} clocks\n", image.clocks));
+  int task = -1;
+  for (std::size_t i = 0; i < flow.steps.size(); ++i) {
+    const FlowStep& step = flow.steps[i];
+    std::string text;
+    if (step.task != task) {
+      task = step.task;
+      const FlowTask& its = flow.tasks.at(static_cast<std::size_t>(task));
+      text += fmt::format("; task {}, {}{}\n", task, its.name,
+                          its.starts ? ", starts with the program" : "");
+    }
+    text += fmt::format(";   step {}, {}{}, {} clocks; {}: {}\n", i, step.name,
+                        step.added ? " (a wait)" : "", step.clocks, step.position.line, step.text);
+    if (step.read != 0) text += ";     " + transfer(image, step.read, "<-") + "\n";
+    if (step.write != 0) text += ";     " + transfer(image, step.write, "->") + "\n";
+    heads.emplace(static_cast<std::size_t>(step.entry), std::move(text));
+  }
+  return heads;
+}
+
 }  // namespace
 
 std::string disassemble(const SlotInstruction& instruction, const Image& image) {
@@ -169,10 +209,16 @@ std::string listing(const Image& image) {
   std::string out =
       fmt::format("; {}: MPU{}, configuration {}, {} steps, {} clocks a scan\n", image.program,
                   static_cast<int>(image.mpu), image.config, image.steps.size(), image.clocks);
+  const std::multimap<std::size_t, std::string> heads = routine_heads(image);
   for (const ImageDevice& device : image.devices) {
     if (!device.comment.empty()) out += fmt::format("; {}: {}\n", device.name, device.comment);
   }
+  const auto add_heads = [&](std::size_t step) {
+    const auto [first, last] = heads.equal_range(step);
+    for (auto head = first; head != last; ++head) out += head->second;
+  };
   for (std::size_t step = 0; step < image.steps.size(); ++step) {
+    add_heads(step);
     for (std::size_t slot = 0; slot < image.steps[step].size(); ++slot) {
       const SlotInstruction& instruction = image.steps[step][slot];
       std::string line = slot == 0 ? fmt::format("{:5}", step) : std::string(5, ' ');
@@ -187,6 +233,7 @@ std::string listing(const Image& image) {
       out += line + "\n";
     }
   }
+  add_heads(image.steps.size());
   return out;
 }
 

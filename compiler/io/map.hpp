@@ -20,6 +20,16 @@ namespace rung::io {
 enum class Safe : std::uint8_t { Low, High, Hold };
 enum class Parity : std::uint8_t { None, Odd, Even };
 
+// Of programs with flow tasks.
+struct FlowSettings {
+  int link_timeout_ms = 50;  // of a request to another unit
+  int panel_timeout_ms = 500;
+  int panel_unit = 1;  // Modbus address of the panel
+  int panel_baud = 115200;
+  Parity panel_parity = Parity::Even;
+  bool suspension = true;  // false: steps wait in their place for their data (flow_setup enable)
+};
+
 struct Settings {
   std::int64_t period_us = 0;         // 0: free running
   std::int64_t watchdog_us = 200000;  // 0: none
@@ -31,6 +41,7 @@ struct Settings {
   int unit = 1;
   int baud = 19200;
   Parity parity = Parity::Even;
+  FlowSettings flow;
 };
 
 // Of a line whose pin is refused: its name can be checked still.

@@ -22,8 +22,8 @@ constexpr Config kConfigs[] = {
 #define RUNG_LAYOUT(name, value)
 #define RUNG_OPCODE(...)
 #define RUNG_PROCESSOR(name, value)
-#define RUNG_CONFIG(name, steps1, steps2, steps3, bits, words, mul, div, mul32, div32, hz) \
-  {#name, steps1, steps2, steps3, bits, words, mul, div, mul32, div32, hz},
+#define RUNG_CONFIG(name, steps1, steps2, steps3, bits, words, mul, div, mul32, div32, hz, flow) \
+  {#name, steps1, steps2, steps3, bits, words, mul, div, mul32, div32, hz, (flow) != 0},
 #include "isa_table.inc"
 };
 

@@ -55,6 +55,7 @@ struct Config {
   int mul32_latency;
   int div32_latency;
   int clock_hz;  // of the controller and its peripherals
+  bool flow;     // its controller runs flow tasks
 
   int steps(Mpu mpu) const;
   // Clocks that one instruction of this opcode takes, executed or not.

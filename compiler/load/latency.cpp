@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "load/flow_bound.hpp"
 #include "load/io_list.hpp"
 #include "load/units.hpp"
 #include "rung_controller.hpp"
@@ -23,7 +24,8 @@ Timing timing_of(const image::Image& image, const io::Bindings& bindings, std::i
   Timing timing;
   timing.clock_hz = clock_hz;
   timing.latch = entries.latch + controller::phases_latch_clocks;
-  timing.scan = image.clocks +
+  timing.flow = image.flow ? flow_bound(image).flow() : 0;
+  timing.scan = timing.flow + image.clocks +
                 (ports ? controller::phases_scan_ports_clocks : controller::phases_scan_clocks);
   timing.refresh = entries.refresh + controller::phases_refresh_clocks;
   timing.exchange = settings.exchange_points + controller::micro_exchange_clocks;
@@ -37,10 +39,11 @@ Timing timing_of(const image::Image& image, const io::Bindings& bindings, std::i
     slowest = std::max(slowest, each.filter);
     fastest = std::min(fastest, each.filter);
   }
-  const std::int64_t pins = controller::phases_input_clocks + controller::phases_output_clocks;
-  const std::int64_t response = timing.latch + timing.scan + timing.refresh + pins;
-  timing.best = response + std::max(0, fastest - 1) * sample;
-  timing.worst = response + slowest * sample + timing.period;
+  timing.pins = controller::phases_input_clocks + controller::phases_output_clocks;
+  timing.filter = slowest * sample;
+  const std::int64_t response = timing.latch + timing.scan + timing.refresh + timing.pins;
+  timing.best = response - timing.flow + std::max(0, fastest - 1) * sample;
+  timing.worst = response + timing.filter + timing.period;
   return timing;
 }
 

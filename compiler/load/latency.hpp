@@ -20,13 +20,17 @@ Entries entries_of(const image::Image& image, const io::Bindings& bindings);
 
 struct Timing {
   std::int64_t clock_hz = 0;
-  // Clocks of the phases, and of the whole scan without the wait for its period.
+  // Clocks of the phases, and of the whole scan without the wait for its period. With flow tasks a
+  // scan is a round; its clocks, and all that follows from them, are then bounds.
   std::int64_t latch = 0, scan = 0, refresh = 0, exchange = 0, cycle = 0;
+  std::int64_t flow = 0;    // of `scan`, what is not the ladder's
   std::int64_t period = 0;  // from latch to latch: the cycle, or the minimum period if it is longer
   // Clocks from an edge at an input pin, of the slowest filter that is bound, to the last clock in
   // which the output pin can follow.
   std::int64_t worst = 0;
-  std::int64_t best = 0;  // the least, without a filter
+  std::int64_t best = 0;    // the least, without a filter
+  std::int64_t pins = 0;    // of `worst`, the pins
+  std::int64_t filter = 0;  // and the slowest filter
 };
 Timing timing_of(const image::Image& image, const io::Bindings& bindings, std::int64_t clock_hz);
 

@@ -10,6 +10,7 @@
 #include <span>
 
 #include "io/modbus_map.hpp"
+#include "load/flow_words.hpp"
 #include "load/format.hpp"
 #include "load/io_list.hpp"
 #include "load/units.hpp"
@@ -56,6 +57,7 @@ class Maker {
     setup();
     host();
     code();
+    flow();
     if (diagnostics_.error_count() > errors) return std::nullopt;
     return file();
   }
@@ -276,6 +278,15 @@ class Maker {
     set_long(space_ports, 1, step);
   }
 
+  void flow() {
+    if (!image_.flow) return;
+    const io::FlowSettings& settings = bindings_.settings.flow;
+    const std::int64_t step = checked_step(settings.panel_baud, "the panel's line");
+    for (const SpaceWord& each : flow_words(*image_.flow, settings, step)) {
+      set(each.space, each.address, each.value);
+    }
+  }
+
   // The bits of a step, its slots side by side, slot 0 lowest, in chunks of 16.
   Words step_words(const std::vector<isa::SlotInstruction>& step, int chunks) const {
     const isa::Config& config = *isa::find_config(image_.config);
@@ -329,7 +340,7 @@ class Maker {
       record(words, controller::space_steps, static_cast<std::uint32_t>(first * kStepAddresses),
              data);
     }
-    const Words length{low(static_cast<std::int64_t>(image_.steps.size()))};
+    const Words length{low(static_cast<std::int64_t>(image_.length()))};
     record(words, controller::space_length, 0, length);
     words.push_back(0);
     words[kMagicAt] = kMagic;

@@ -3,13 +3,16 @@
 
 #include "load/format.hpp"
 #include "load/load_file.hpp"
+#include "rung_flow.hpp"
 
 namespace rung::load {
 namespace {
 
 // Addresses of each space in any controller: of what a configuration has less of, the most.
-constexpr std::uint32_t kSizes[] = {1U << 20, 128,      1U << 15, 1U << 15, 1,  3,
-                                    512,      1U << 16, 1U << 16, 256,      64, 16};
+constexpr std::uint32_t kSizes[] = {
+    1U << 20, 128, 1U << 15, 1U << 15, 1, 3, 512, 1U << 16, 1U << 16, 256, 64, 16,
+    // flow_steps, flow_transfers, flow_tasks, flow_setup
+    4 * flow::flow_steps, 4 * flow::flow_transfers, flow::flow_tasks, 64 + flow::flow_boards};
 
 class Reader {
  public:

@@ -8,8 +8,9 @@
 namespace rung {
 namespace {
 
-// No device of any dialect has a number as high; memory ends here whatever a program names.
-constexpr std::uint32_t kDevicesOfAKind = 0x10000;
+// No device has a number as high, those of flow tasks (flowchart/flowchart.hpp) included; memory
+// ends here whatever a program names.
+constexpr std::uint32_t kDevicesOfAKind = 0x20000;
 
 std::vector<Device> named_of_role(SpecialRole role, Dialect dialect,
                                   const std::vector<Device>& named) {
@@ -26,6 +27,7 @@ Reference::Reference(const Program& program, std::int64_t tick_us)
     : program_(program),
       windows_(index_windows(program)),
       begins_network_(program.instructions.size()),
+      devices_(std::make_shared<Devices>()),
       memory_(program.instructions.size()),
       time_{-1, tick_us} {
   const std::vector<Device> named = named_devices(program);
@@ -40,18 +42,24 @@ Reference::Reference(const Program& program, std::int64_t tick_us)
   }
 }
 
+Reference::Reference(const Program& program, const Reference& other)
+    : Reference(program, other.time_.tick_us) {
+  devices_ = other.devices_;
+  drives_ = false;
+}
+
 void Reference::set(Device device, std::int16_t value) {
   if (device.number >= kDevicesOfAKind) return;
   if (!is_word(device)) value = value != 0 ? 1 : 0;
   // A byte that arrives is one that waits.
   if (device == port::uart_rx_data) set(port::uart_rx_full, 1);
-  auto& devices = devices_[static_cast<std::size_t>(device.kind)];
+  auto& devices = devices_->at(static_cast<std::size_t>(device.kind));
   if (device.number >= devices.size()) devices.resize(device.number + 1);
   devices[device.number] = value;
 }
 
 std::int16_t Reference::get(Device device) const {
-  const auto& devices = devices_[static_cast<std::size_t>(device.kind)];
+  const auto& devices = devices_->at(static_cast<std::size_t>(device.kind));
   return device.number < devices.size() ? devices[device.number] : std::int16_t{0};
 }
 
@@ -64,7 +72,7 @@ void Reference::run_scan() {
 void Reference::begin_scan() {
   ++time_.scan;
   for (const SpecialRange& special : special_ranges()) {
-    if (special.dialect != program_.dialect || !is_driven(special.role)) continue;
+    if (!drives_ || special.dialect != program_.dialect || !is_driven(special.role)) continue;
     for (std::uint32_t n = special.first; n <= special.last; ++n) {
       set({special.kind, n}, driven_value(special, time_) ? 1 : 0);
     }

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <vector>
@@ -32,6 +33,14 @@ struct ReferenceWrite {
 class Reference {
  public:
   explicit Reference(const Program& program, std::int64_t tick_us = 10000);
+  // A second program on the devices of `other`: each sees what the other one writes. What the
+  // controller drives is driven by `other` alone. Edges and timers of the two are their own.
+  Reference(const Program& program, const Reference& other);
+  Reference(Reference&&) = default;
+  // A copy would be a second program too.
+  Reference(const Reference&) = delete;
+  Reference& operator=(const Reference&) = delete;
+  ~Reference() = default;
 
   // Sets an input for the scans to come, or presets any other device. A bit takes 0 or not 0. What
   // the controller drives (M8000, clocks) it drives again before each scan. Of the device ports,
@@ -68,6 +77,8 @@ class Reference {
     std::int32_t level;
     bool power;
   };
+  using Devices = std::array<std::vector<std::int16_t>, kDeviceKinds>;  // as far as written
+
   // What a routine, the main program or a subroutine, has of its own.
   struct Routine {
     bool result = false;
@@ -199,7 +210,8 @@ class Reference {
   std::vector<Device> errors_, zero_, borrow_, carry_;
   std::vector<bool> begins_network_;  // by instruction
 
-  std::array<std::vector<std::int16_t>, kDeviceKinds> devices_;  // as far as they were written
+  std::shared_ptr<Devices> devices_;
+  bool drives_ = true;
   std::vector<bool> memory_;  // of edges and pulse forms; of an STL: was it active; by instruction
   std::map<Device, Coil> coils_;  // by contact
   std::set<Device> left_states_;  // that go off when their STL is next reached

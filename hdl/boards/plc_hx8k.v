@@ -66,6 +66,15 @@ module plc_hx8k (
       .flash_mosi_o(flash_mosi_o),
       .flash_miso_i(flash_miso_i),
       .run_switch_i(run_switch_i),
+      .upper_rx_i  (1'b1),
+      .lower_rx_i  (1'b1),
+      .panel_rx_i  (1'b1),
+      // verilator lint_off PINCONNECTEMPTY
+      .upper_tx_o  (),
+      .lower_tx_o  (),
+      .panel_tx_o  (),
+      .panel_de_o  (),
+      // verilator lint_on PINCONNECTEMPTY
       .run_o       (run_o),
       .fault_o     (fault_o),
       .forced_o    (forced_o),

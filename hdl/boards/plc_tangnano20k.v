@@ -75,6 +75,15 @@ module plc_tangnano20k (
       .flash_mosi_o(flash_mosi_o),
       .flash_miso_i(flash_miso_i),
       .run_switch_i(run_switch_i),
+      .upper_rx_i  (1'b1),
+      .lower_rx_i  (1'b1),
+      .panel_rx_i  (1'b1),
+      // verilator lint_off PINCONNECTEMPTY
+      .upper_tx_o  (),
+      .lower_tx_o  (),
+      .panel_tx_o  (),
+      .panel_de_o  (),
+      // verilator lint_on PINCONNECTEMPTY
       .run_o       (run),
       .fault_o     (fault),
       .forced_o    (forced),

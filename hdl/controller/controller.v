@@ -15,6 +15,7 @@ module controller #(
     parameter integer INPUTS        = 32,
     parameter integer OUTPUTS       = 32,
     parameter integer FLASH_BASE    = 0,
+    parameter integer FLOW          = 0,         // 1: with flow tasks (hdl/flow)
     // the processor's own
     parameter integer STEPS         = 512,
     parameter integer BIT_DEVICES   = 1024,
@@ -44,6 +45,14 @@ module controller #(
     output wire               host_de_o,
     // switch
     input  wire               run_switch_i,
+    // lines of flow tasks
+    input  wire               upper_rx_i,
+    output wire               upper_tx_o,
+    input  wire               lower_rx_i,
+    output wire               lower_tx_o,
+    input  wire               panel_rx_i,
+    output wire               panel_tx_o,
+    output wire               panel_de_o,
     // lamps
     output wire               run_o,
     output wire               fault_o,
@@ -91,6 +100,7 @@ module controller #(
       .INPUTS       (INPUTS),
       .OUTPUTS      (OUTPUTS),
       .FLASH_BASE   (FLASH_BASE),
+      .FLOW         (FLOW),
       .STEPS        (STEPS),
       .BIT_DEVICES  (BIT_DEVICES),
       .WORD_DEVICES (WORD_DEVICES),
@@ -113,6 +123,13 @@ module controller #(
       .flash_mosi_o    (flash_mosi_o),
       .flash_miso_i    (flash_miso_i),
       .run_switch_i    (run_switch_i),
+      .upper_rx_i      (upper_rx_i),
+      .upper_tx_o      (upper_tx_o),
+      .lower_rx_i      (lower_rx_i),
+      .lower_tx_o      (lower_tx_o),
+      .panel_rx_i      (panel_rx_i),
+      .panel_tx_o      (panel_tx_o),
+      .panel_de_o      (panel_de_o),
       .run_o           (run_o),
       .fault_o         (fault_o),
       .forced_o        (forced_o),

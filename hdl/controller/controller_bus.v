@@ -16,6 +16,7 @@ module controller_bus #(
     parameter integer INPUTS        = 32,
     parameter integer OUTPUTS       = 32,
     parameter integer FLASH_BASE    = 0,
+    parameter integer FLOW          = 0,         // 1: with flow tasks (hdl/flow)
     // the processor's own
     parameter integer STEPS         = 512,
     parameter integer BIT_DEVICES   = 1024,
@@ -40,6 +41,16 @@ module controller_bus #(
     output wire               flash_mosi_o,
     input  wire               flash_miso_i,
     input  wire               run_switch_i,
+    // lines of flow tasks
+    // verilator lint_off UNUSEDSIGNAL
+    input  wire               upper_rx_i,
+    input  wire               lower_rx_i,
+    input  wire               panel_rx_i,
+    // verilator lint_on UNUSEDSIGNAL
+    output wire               upper_tx_o,
+    output wire               lower_tx_o,
+    output wire               panel_tx_o,
+    output wire               panel_de_o,
     // lamps
     output wire               run_o,
     output wire               fault_o,
@@ -88,6 +99,7 @@ module controller_bus #(
   wire [15:0] input_rdata;
   wire [15:0] output_rdata;
   wire [15:0] keep_rdata;
+  wire [15:0] flow_rdata;
   wire [15:0] milliseconds;
 
   // Registers that are constants, and the firmware's clock.
@@ -107,7 +119,7 @@ module controller_bus #(
   end
 
   assign mem_rdata_o = line_rdata | flash_rdata | crc_rdata | exchange_rdata | scan_rdata |
-      statistics_rdata | input_rdata | output_rdata | keep_rdata | constant_rdata_q;
+      statistics_rdata | input_rdata | output_rdata | keep_rdata | flow_rdata | constant_rdata_q;
 
   rtu_line #(
       .CLOCK_HZ(CLOCK_HZ)
@@ -172,6 +184,9 @@ module controller_bus #(
   wire bit_map_write;
   wire word_map_write;
   wire setup_write;
+  // verilator lint_off UNUSEDSIGNAL
+  wire [3:0] flow_write;
+  // verilator lint_on UNUSEDSIGNAL
   wire [15:0] space_addr;
   wire [15:0] space_data;
 
@@ -188,6 +203,7 @@ module controller_bus #(
       .bit_map_write_o (bit_map_write),
       .word_map_write_o(word_map_write),
       .setup_write_o   (setup_write),
+      .flow_write_o    (flow_write),
       .addr_o          (space_addr),
       .data_o          (space_data),
       .sel_register_i  (sel_register),
@@ -393,6 +409,8 @@ module controller_bus #(
   );
 
   // ---- devices: who has the processor's port ------------------------------------------------------
+  wire ladder;
+  wire ladder_done;
   wire [2:0] adc_channel;
   wire [15:0] latch_sample;
   wire [15:0] port_sample;
@@ -415,7 +433,7 @@ module controller_bus #(
       .route_i        (adc_route),
       .latch_channel_i(adc_channel),
       .latch_sample_o (latch_sample),
-      .scan_i         (scan),
+      .scan_i         (ladder),
       .scanning_i     (scanning),
       .port_sample_o  (port_sample)
   );
@@ -457,9 +475,12 @@ module controller_bus #(
       .bus_wdata_i    (mem_wdata_i[9:0])
   );
 
-  wire map_read;
-  wire map_words;
-  wire [15:0] map_point;
+  wire exchange_map_read;
+  wire exchange_map_words;
+  wire [15:0] exchange_map_point;
+  wire flow_map_read;
+  wire flow_map_words;
+  wire [15:0] flow_map_point;
   wire map_mapped;
   wire [14:0] map_device;
 
@@ -470,9 +491,9 @@ module controller_bus #(
       .WORD_DEVICES(WORD_DEVICES)
   ) map (
       .clk_i       (clk_i),
-      .read_i      (map_read),
-      .words_i     (map_words),
-      .point_i     (map_point),
+      .read_i      (exchange_map_read || flow_map_read),
+      .words_i     (flow_map_read ? flow_map_words : exchange_map_words),
+      .point_i     (flow_map_read ? flow_map_point : exchange_map_point),
       .mapped_o    (map_mapped),
       .device_o    (map_device),
       .bit_write_i (bit_map_write),
@@ -486,9 +507,9 @@ module controller_bus #(
       .rst_ni        (rst_ni),
       .start_i       (exchange_start),
       .restart_i     (give_up),
-      .map_read_o    (map_read),
-      .map_words_o   (map_words),
-      .map_point_o   (map_point),
+      .map_read_o    (exchange_map_read),
+      .map_words_o   (exchange_map_words),
+      .map_point_o   (exchange_map_point),
       .map_mapped_i  (map_mapped),
       .map_device_i  (map_device),
       .host_valid_o  (exchange_valid),
@@ -507,21 +528,35 @@ module controller_bus #(
       .rdata_o       (exchange_rdata)
   );
 
-  // Phases do not overlap, so at most one of the three has an access.
-  wire words = list_valid ? list_words : exchange_words;
-  wire from_load = !list_valid && !exchange_valid;
+  // Phases do not overlap, so at most one of the four has an access.
+  wire flow_valid;
+  wire flow_access_write;
+  wire flow_words;
+  wire [14:0] flow_addr;
+  wire [15:0] flow_data;
+  wire words = list_valid ? list_words : flow_valid ? flow_words : exchange_words;
+  wire from_load = !list_valid && !exchange_valid && !flow_valid;
   wire [2:0] host_space = from_load ? load_host_space : words ? SPACE_WORDS : SPACE_BITS;
   wire [19:0] host_addr = from_load ? load_host_addr :
-      {5'd0, list_valid ? list_addr : exchange_addr};
-  wire [15:0] host_data = from_load ? load_host_data : list_valid ? list_data : exchange_data;
-  wire host_write = from_load || (list_valid ? list_write : exchange_write);
+      {5'd0, list_valid ? list_addr : flow_valid ? flow_addr : exchange_addr};
+  wire [15:0] host_data = from_load ? load_host_data :
+      list_valid ? list_data : flow_valid ? flow_data : exchange_data;
+  wire host_write = from_load || (list_valid ? list_write : flow_valid ? flow_access_write : exchange_write);
 
   // ---- the program -----------------------------------------------------------------------------
   wire persist_ready;
   wire keep_valid;
   wire [5:0] keep_index;
   wire [15:0] keep_value;
-  wire start;
+  wire ladder_start;
+  wire step_start;
+  wire [15:0] step_entry;
+  wire [15:0] step_end;
+  // verilator lint_off UNUSEDSIGNAL
+  wire [1:0] core_write_valid;
+  wire [31:0] core_write_addr;
+  wire [31:0] core_write_data;
+  // verilator lint_on UNUSEDSIGNAL
   wire core_done;
   wire load_valid;
   wire load_write;
@@ -566,19 +601,19 @@ module controller_bus #(
       .keep_valid_o   (keep_valid),
       .keep_index_o   (keep_index),
       .keep_value_o   (keep_value),
-      .scan_i         (scan),
+      .scan_i         (ladder),
       // verilator lint_off PINCONNECTEMPTY
       .busy_o         (),
       // verilator lint_on PINCONNECTEMPTY
-      .done_o         (done),
-      .host_valid_i   (list_valid || exchange_valid || load_host_valid),
+      .done_o         (ladder_done),
+      .host_valid_i   (list_valid || exchange_valid || flow_valid || load_host_valid),
       .host_write_i   (host_write),
       .host_space_i   (host_space),
       .host_addr_i    (host_addr),
       .host_data_i    (host_data),
       .host_rvalid_o  (host_rvalid),
       .host_rdata_o   (host_rdata),
-      .start_o        (start),
+      .start_o        (ladder_start),
       .done_i         (core_done),
       .load_valid_o   (load_valid),
       .load_write_o   (load_write),
@@ -602,20 +637,18 @@ module controller_bus #(
   ) mpu (
       .clk_i        (clk_i),
       .rst_ni       (core_rst_n),
-      .start_i      (start),
+      .start_i      (ladder_start || step_start),
       .done_o       (core_done),
       .error_o      (error),
       // verilator lint_off PINCONNECTEMPTY
       .clocks_o     (),
       // verilator lint_on PINCONNECTEMPTY
-      .range_i      (1'b0),
-      .entry_i      (16'd0),
-      .end_i        (16'd0),
-      // verilator lint_off PINCONNECTEMPTY
-      .write_valid_o(),
-      .write_addr_o (),
-      .write_data_o (),
-      // verilator lint_on PINCONNECTEMPTY
+      .range_i      (step_start),
+      .entry_i      (step_entry),
+      .end_i        (step_end),
+      .write_valid_o(core_write_valid),
+      .write_addr_o (core_write_addr),
+      .write_data_o (core_write_data),
       .load_valid_i (load_valid),
       .load_write_i (load_write),
       .load_space_i (load_space),
@@ -624,6 +657,80 @@ module controller_bus #(
       .load_rvalid_o(load_rvalid),
       .load_rdata_o (load_rdata)
   );
+
+  // ---- flow tasks: a round of them around the ladder's scan --------------------------------------
+  generate
+    if (FLOW != 0) begin : gen_flow
+      flow_block #(
+          .CLOCK_HZ   (CLOCK_HZ),
+          .WORD_POINTS(WORD_POINTS)
+      ) flow (
+          .clk_i         (clk_i),
+          .rst_ni        (rst_ni),
+          .millisecond_i (millisecond),
+          .first_i       (latch && first),
+          .give_up_i     (give_up),
+          .round_i       (scan),
+          .round_done_o  (done),
+          .ladder_o      (ladder),
+          .ladder_done_i (ladder_done),
+          .start_o       (step_start),
+          .entry_o       (step_entry),
+          .end_o         (step_end),
+          .done_i        (core_done),
+          .write_valid_i (core_write_valid),
+          .write_addr_i  (core_write_addr),
+          .write_data_i  (core_write_data),
+          .map_read_o    (flow_map_read),
+          .map_words_o   (flow_map_words),
+          .map_point_o   (flow_map_point),
+          .map_mapped_i  (map_mapped),
+          .map_device_i  (map_device),
+          .host_valid_o  (flow_valid),
+          .host_write_o  (flow_access_write),
+          .host_words_o  (flow_words),
+          .host_addr_o   (flow_addr),
+          .host_data_o   (flow_data),
+          .host_rvalid_i (host_rvalid),
+          .host_rdata_i  (host_rdata),
+          .load_write_i  (flow_write),
+          .load_addr_i   (space_addr),
+          .load_data_i   (space_data),
+          .sel_register_i(sel_register),
+          .addr_i        (addr),
+          .read_i        (mem_read_i),
+          .write_i       (mem_write_i),
+          .wdata_i       (mem_wdata_i),
+          .rdata_o       (flow_rdata),
+          .upper_rx_i    (upper_rx_i),
+          .upper_tx_o    (upper_tx_o),
+          .lower_rx_i    (lower_rx_i),
+          .lower_tx_o    (lower_tx_o),
+          .panel_rx_i    (panel_rx_i),
+          .panel_tx_o    (panel_tx_o),
+          .panel_de_o    (panel_de_o)
+      );
+    end else begin : gen_no_flow
+      assign ladder = scan;
+      assign done = ladder_done;
+      assign step_start = 1'b0;
+      assign step_entry = 16'd0;
+      assign step_end = 16'd0;
+      assign flow_map_read = 1'b0;
+      assign flow_map_words = 1'b0;
+      assign flow_map_point = 16'd0;
+      assign flow_valid = 1'b0;
+      assign flow_access_write = 1'b0;
+      assign flow_words = 1'b0;
+      assign flow_addr = 15'd0;
+      assign flow_data = 16'd0;
+      assign flow_rdata = 16'd0;
+      assign upper_tx_o = 1'b1;
+      assign lower_tx_o = 1'b1;
+      assign panel_tx_o = 1'b1;
+      assign panel_de_o = 1'b0;
+    end
+  endgenerate
 
 endmodule
 

@@ -4,6 +4,7 @@
 // the program is also kept: what a reset of the processor takes away, restore_i gives back.
 `default_nettype none
 `include "rung_controller.vh"
+`include "rung_flow.vh"
 
 module load_spaces (
     input  wire        clk_i,
@@ -21,6 +22,7 @@ module load_spaces (
     output wire        bit_map_write_o,
     output wire        word_map_write_o,
     output wire        setup_write_o,
+    output wire [ 3:0] flow_write_o,      // steps lowest, transfers, tasks, setup
     output wire [15:0] addr_o,
     output wire [15:0] data_o,
     // bus
@@ -39,6 +41,10 @@ module load_spaces (
   localparam [3:0] BIT_MAP = `RUNG_SPACE_BIT_MAP;
   localparam [3:0] WORD_MAP = `RUNG_SPACE_WORD_MAP;
   localparam [3:0] SETUP = `RUNG_SPACE_SETUP;
+  localparam [3:0] FLOW_STEPS = `RUNG_SPACE_FLOW_STEPS;
+  localparam [3:0] FLOW_TRANSFERS = `RUNG_SPACE_FLOW_TRANSFERS;
+  localparam [3:0] FLOW_TASKS = `RUNG_SPACE_FLOW_TASKS;
+  localparam [3:0] FLOW_SETUP = `RUNG_SPACE_FLOW_SETUP;
 
   reg [3:0] space_q;
   reg [19:0] next_q;  // address of the next write
@@ -74,6 +80,10 @@ module load_spaces (
   assign bit_map_write_o = valid_q && space_q == BIT_MAP;
   assign word_map_write_o = valid_q && space_q == WORD_MAP;
   assign setup_write_o = valid_q && space_q == SETUP;
+  assign flow_write_o[0] = valid_q && space_q == FLOW_STEPS;
+  assign flow_write_o[1] = valid_q && space_q == FLOW_TRANSFERS;
+  assign flow_write_o[2] = valid_q && space_q == FLOW_TASKS;
+  assign flow_write_o[3] = valid_q && space_q == FLOW_SETUP;
   assign addr_o = addr_q[15:0];
   assign data_o = data_q;
 

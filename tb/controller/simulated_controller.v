@@ -69,6 +69,15 @@ module simulated_controller #(
           .flash_mosi_o(flash_mosi_o),
           .flash_miso_i(flash_miso_i),
           .run_switch_i(run_switch_i),
+          .upper_rx_i  (1'b1),
+          .lower_rx_i  (1'b1),
+          .panel_rx_i  (1'b1),
+          // verilator lint_off PINCONNECTEMPTY
+          .upper_tx_o  (),
+          .lower_tx_o  (),
+          .panel_tx_o  (),
+          .panel_de_o  (),
+          // verilator lint_on PINCONNECTEMPTY
           .run_o       (run_o),
           .fault_o     (fault_o),
           .forced_o    (forced_o),
@@ -103,6 +112,15 @@ module simulated_controller #(
           .flash_mosi_o(flash_mosi_o),
           .flash_miso_i(flash_miso_i),
           .run_switch_i(run_switch_i),
+          .upper_rx_i  (1'b1),
+          .lower_rx_i  (1'b1),
+          .panel_rx_i  (1'b1),
+          // verilator lint_off PINCONNECTEMPTY
+          .upper_tx_o  (),
+          .lower_tx_o  (),
+          .panel_tx_o  (),
+          .panel_de_o  (),
+          // verilator lint_on PINCONNECTEMPTY
           .run_o       (run_o),
           .fault_o     (fault_o),
           .forced_o    (forced_o),

@@ -11,6 +11,7 @@
 
 #include "backends/ld_writer.hpp"
 #include "backends/list_writer.hpp"
+#include "flowchart/read.hpp"
 #include "fuzz/bytecode_reader.hpp"
 #include "image/image_file.hpp"
 #include "io/bind.hpp"
@@ -19,7 +20,9 @@
 #include "melsec/comments.hpp"
 #include "melsec/list.hpp"
 #include "melsec/melsec.hpp"
+#include "reference/flow_rounds.hpp"
 #include "rungs/ports.hpp"
+#include "rungs/structure.hpp"
 #include "trace/ldmicro_trace.hpp"
 #include "trace/stimulus.hpp"
 #include "trace/trace.hpp"
@@ -242,6 +245,37 @@ void read_load_file(std::string_view bytes) {
   }
 }
 
+// What is accepted is whole, and runs.
+void read_flow(std::string_view bytes) {
+  Diagnostics diagnostics;
+  const auto text = decode_text(bytes, "fuzz.flow", diagnostics);
+  check(text.has_value(), diagnostics);
+  if (!text) return;
+  const auto chart = flowchart::parse(*text, diagnostics);
+  check(chart.has_value(), diagnostics);
+  if (!chart) return;
+  for (const flowchart::Step& step : chart->steps) {
+    for (const std::size_t next : step.next) {
+      require(next < chart->steps.size() && chart->steps[next].task == step.task,
+              "a step leads nowhere");
+    }
+    std::vector<StructureItem> items;
+    for (const Instruction& each : step.rungs.instructions) {
+      items.push_back({effect_of(each.op), each.text, each.position});
+    }
+    Diagnostics structure;
+    check_structure("fuzz.flow", chart->dialect, items, structure);
+    require(!structure.has_errors(), "a step's rungs have no structure");
+  }
+  FlowRounds rounds(*chart);
+  for (int i = 0; i < 5; ++i) {
+    rounds.run_round();
+    if (!rounds.requests().empty()) {
+      rounds.complete(rounds.requests().front().id, i % 2, {1, 2, 3});
+    }
+  }
+}
+
 constexpr Reader kReaders[] = {
     {"list", read_list},
     {"csv", read_csv},
@@ -254,6 +288,7 @@ constexpr Reader kReaders[] = {
     {"bytecode", read_bytecode},
     {"io_map", read_io_map},
     {"load_file", read_load_file},
+    {"flow", read_flow},
 };
 
 }  // namespace

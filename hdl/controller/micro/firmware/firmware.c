@@ -15,6 +15,7 @@ typedef unsigned short u16;
 #define WORD_POINTS OF_CONFIG(WORD_POINTS_, RUNG_CONFIG)
 #define BIT_DEVICES OF_CONFIG(BIT_DEVICES_, RUNG_CONFIG)
 #define WORD_DEVICES OF_CONFIG(WORD_DEVICES_, RUNG_CONFIG)
+#define FLOW OF_CONFIG(FLOW_, RUNG_CONFIG)  // 1: there is the hardware of flow tasks
 
 #define REG(name) (MICRO_REGISTERS + REG_##name)
 
@@ -23,6 +24,7 @@ typedef unsigned short u16;
 #define ILLEGAL_ADDRESS 2
 #define ILLEGAL_VALUE 3
 #define FAILURE 4
+#define BUSY 6
 
 // Commands and states of the scan controller, see scan_command and scan_status.
 #define SCAN_RUN 1

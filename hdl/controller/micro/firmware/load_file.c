@@ -15,6 +15,15 @@
 #define LOAD_FLASH_ERROR 5
 #define LOAD_BAD_RECORD 6
 
+// The last space that a file may have, and whether `space` is more than the firmware's own.
+#if FLOW
+#define LAST_SPACE SPACE_FLOW_SETUP
+#define IN_HARDWARE (space <= SPACE_SETUP || space > SPACE_HOST)
+#else
+#define LAST_SPACE SPACE_HOST
+#define IN_HARDWARE (space <= SPACE_SETUP)
+#endif
+
 // What a file's next word is.
 #define HEAD 0
 #define ADDRESS 1
@@ -111,7 +120,7 @@ static void data_word(u16 word) {
     return;
   }
   if (loading) {
-    if (space <= SPACE_SETUP) io_write(REG(LOAD_DATA), word);
+    if (IN_HARDWARE) io_write(REG(LOAD_DATA), word);
     note(word);
   }
   if (space == SPACE_STEPS && (address & 7) == chunks - 1) {
@@ -137,7 +146,7 @@ static void take_word(u16 word) {
       expects = ADDRESS;
       if (!word && space == SPACE_LENGTH) {
         expects = NOTHING;
-      } else if (!left || word >> 12 > SPACE_HOST) {
+      } else if (!left || word >> 12 > LAST_SPACE) {
         result = LOAD_BAD_RECORD;
       }
       space = word >> 12;
@@ -156,6 +165,18 @@ static void take_word(u16 word) {
   }
 }
 
+#if FLOW
+// Zeros to `count` words of a space.
+static void clear_space(u16 number, u16 first, u16 count) {
+  io_write(REG(LOAD_SPACE), number);
+  io_write(REG(LOAD_ADDRESS), first);
+  while (count) {
+    count = count - 1;
+    io_write(REG(LOAD_DATA), 0);
+  }
+}
+#endif
+
 static void check_start(u16 of_copy, u16 and_load) {
   loading = and_load;
   file_start(of_copy);
@@ -163,6 +184,14 @@ static void check_start(u16 of_copy, u16 and_load) {
   expects = HEAD;
   space = SPACE_HOST;
   io_write(REG(CRC_CLEAR), 0);
+#if FLOW
+  if (and_load) {
+    // A program names its own tasks and boards only.
+    clear_space(SPACE_FLOW_SETUP, FLOW_SETUP_ENABLE, 1);
+    clear_space(SPACE_FLOW_SETUP, FLOW_FIRST_BOARD, FLOW_BOARDS);
+    clear_space(SPACE_FLOW_TASKS, 0, FLOW_TASKS);
+  }
+#endif
 }
 
 static void check_words(u16 count) {

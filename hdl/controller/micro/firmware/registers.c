@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// The controller's holding registers, 0xE000 to 0xE151: those between them that the table does not
-// have read 0 and cannot be written. Writes of a request are all checked before the first takes
-// effect.
+// The controller's holding registers, 0xE000 to 0xE151, and with flow tasks those to 0xE1BF: those
+// between them that the table does not have read 0 and cannot be written. Writes of a request are
+// all checked before the first takes effect.
 
-#define HOLDING_REGISTERS (HOLDING_WINDOW + HOLDING_WINDOW_COUNT - FIRST_HOLDING)
+#define BEHIND_WINDOW (HOLDING_WINDOW + HOLDING_WINDOW_COUNT)
+#if FLOW
+#define HOLDING_REGISTERS (HOLDING_FLOW + HOLDING_FLOW_COUNT - FIRST_HOLDING)
+#else
+#define HOLDING_REGISTERS (BEHIND_WINDOW - FIRST_HOLDING)
+#endif
 
 // register command
 #define COMMAND_RUN 1
@@ -58,6 +63,34 @@ static u16 window_word(u16 n, u16 first) {
   return flash_word();
 }
 
+#if FLOW
+#define FLOW_NUMBER(name) (REG_##name - REG_FLOW_PC_RESOURCE)
+
+// Registers of the flow tasks, by their numbers behind the first: they are the hardware's own.
+static u16 flow_read(u16 at, u16 first) {
+  at = at + REG(FLOW_PC_RESOURCE);
+  // A high word is that of the low word read before it.
+  if (first) {
+    if (at == REG(FLOW_ROUNDS_HIGH) || at == REG(FLOW_ROUND_MAX_HIGH)) io_read(at - 1);
+  }
+  return io_read(at);
+}
+
+static u16 flow_write(u16 really, u16 at, u16 value) {
+  u16 command;  // it is the PC's command
+  command = at <= FLOW_NUMBER(FLOW_PC_CONTROL) || at >= FLOW_NUMBER(FLOW_PC_DATA);
+  if (!command && !within(at, FLOW_NUMBER(FLOW_BREAK_STEP), 3) &&
+      at != FLOW_NUMBER(FLOW_TASK_CONTINUE)) {
+    return ILLEGAL_ADDRESS;
+  }
+  if (really)
+    io_write(at + REG(FLOW_PC_RESOURCE), value);
+  else if (command && io_read(REG(FLOW_PC_CONTROL)))
+    return BUSY;
+  return 0;
+}
+#endif
+
 static u16 flags(void) {
   u16 status;
   status = io_read(REG(SCAN_STATUS));
@@ -67,6 +100,10 @@ static u16 flags(void) {
 
 // A register by its number; first: the request's reading begins here.
 static u16 holding_read(u16 at, u16 first) {
+#if FLOW
+  if (at >= NUMBER(FLOW)) return flow_read(at - NUMBER(FLOW), first);
+  if (at >= BEHIND_WINDOW - FIRST_HOLDING) return 0;
+#endif
   if (at >= NUMBER(WINDOW)) return window_word(at - NUMBER(WINDOW), first || at == NUMBER(WINDOW));
   if (at >= NUMBER(LOAD_COMMAND)) return upper[at - NUMBER(LOAD_COMMAND)];
   if (at >= LOWER) {
@@ -207,6 +244,10 @@ static void window_begin(void) {
 // Checks a write, or `really` carries out what was checked; `count` registers are written from this
 // one on. 0 or an exception.
 static u16 holding_write(u16 really, u16 at, u16 value, u16 count) {
+#if FLOW
+  if (at >= NUMBER(FLOW)) return flow_write(really, at - NUMBER(FLOW), value);
+  if (at >= BEHIND_WINDOW - FIRST_HOLDING) return ILLEGAL_ADDRESS;
+#endif
   if (at >= NUMBER(WINDOW)) {
     if (!really) {
       if (job || load_state != LOAD_UNDER_WAY) return FAILURE;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The table of tasks. A task has flags (started, waits for its data, ...), a row (its step and what it is about
 // to do there), and its first step, which is loaded. Everything that happens to a task is an operation: given
-// in one clock, looked up in the next and done in the one after that, engine before completions before bus before the walk that starts a
+// in one clock, looked up in the next and done in the one after that, engine before completions before bus, which waits for the walk that starts a
 // program. What an operation changes of a task's readiness goes to flow_ready.v, blocks that it frees to the pool and
 // the locks.
 //   PEEK   the row into row_o in the next clock, flags into peek_*_o in the third, both until the next PEEK
@@ -98,7 +98,9 @@ module flow_tasks (
   // ---- the walk ----------------------------------------------------------------------------------
   reg walking_q;
   reg [6:0] walk_q;
-  wire walk = walking_q && !engine_valid_i && !come_valid_i && !bus_valid_q;
+  // What the bus asks for waits until the walk is over, which would undo it.
+  wire bus_asks = bus_valid_q && !walking_q;
+  wire walk = walking_q && !engine_valid_i && !come_valid_i;
 
   always @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -125,15 +127,15 @@ module flow_tasks (
   reg free_q;
   wire op_given = engine_valid_i || come_valid_i || bus_valid_q || walking_q;
   wire [6:0] op_task = engine_valid_i ? engine_task_i : come_valid_i ? come_task_i :
-      bus_valid_q ? bus_task_q : walk_q;
+      bus_asks ? bus_task_q : walk_q;
 
   assign come_ready_o = !engine_valid_i;
-  assign bus_taken = !engine_valid_i && !come_valid_i;
+  assign bus_taken = bus_asks && !engine_valid_i && !come_valid_i;
 
   always @(posedge clk_i) begin
     look_valid_q <= rst_ni && op_given;
     look_op_q <= engine_valid_i ? engine_op_i : come_valid_i ? `FLOW_OP_COME :
-        bus_valid_q ? (bus_go_q ? `FLOW_OP_GO : `FLOW_OP_ASK) : `FLOW_OP_INIT;
+        bus_asks ? (bus_go_q ? `FLOW_OP_GO : `FLOW_OP_ASK) : `FLOW_OP_INIT;
     look_task_q <= op_task;
     look_block_q <= engine_valid_i ? engine_block_i : come_block_i;
     look_free_q <= engine_valid_i && engine_free_i;

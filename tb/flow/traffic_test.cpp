@@ -175,7 +175,9 @@ class Traffic {
     rig_.load(program);
     rig_.first();
     rig_.idle(clocks::kWalk);
-    rig_.answer = nullptr;
+    rig_.answer = [](const Request& r) {
+      return Answer{r.block < flow_task_blocks ? -1 : 0, 0, {}};
+    };
     std::size_t replies = 0;
     for (int n = 0; n < 3; ++n) {
       const Round round = rig_.round();

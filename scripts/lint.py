@@ -3,7 +3,7 @@
 """Lint everything: each check says its name and, if it finds something, what. Exit 1 if any does.
 
 Verilator -Wall   every processor with and without its retire port, in every board top; the controller in its own;
-                  the link and the panel client by themselves
+                  the flow scheduler, its pool, the link and the panel client by themselves
 verible           every Verilog file, rules of hdl/verible.rules
 pins              ports of the controller's board tops, constraints and hdl/isa/boards.toml agree
 clang-format      every C and C++ file

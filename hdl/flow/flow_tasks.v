@@ -87,7 +87,7 @@ module flow_tasks (
         view_q <= wdata_i[15:0] > {9'd0, LAST} ? LAST : wdata_i[6:0];
       end
       if (register_write && addr_i == `RUNG_REG_FLOW_TASK_CONTINUE) bus_valid_q <= 1'b1;
-      else if (bus_taken) bus_valid_q <= 1'b0;
+      else if (bus_taken || first_i) bus_valid_q <= 1'b0;
     end
     if (register_write && addr_i == `RUNG_REG_FLOW_TASK_CONTINUE) begin
       bus_go_q   <= wdata_i[0];
@@ -98,7 +98,7 @@ module flow_tasks (
   // ---- the walk ----------------------------------------------------------------------------------
   reg walking_q;
   reg [6:0] walk_q;
-  // What the bus asks for waits until the walk is over, which would undo it.
+  // What the bus asks for waits until the walk is over, which would undo it; a walk that begins drops it.
   wire bus_asks = bus_valid_q && !walking_q;
   wire walk = walking_q && !engine_valid_i && !come_valid_i;
 

@@ -226,7 +226,7 @@ TEST_P(Rounds, RandomPrograms) {
   const char* many = std::getenv("RUNG_COUNT");
   const std::uint32_t count = given != nullptr  ? 1
                               : many != nullptr ? static_cast<std::uint32_t>(std::atol(many))
-                                                : 60;
+                                                : 40;
   const auto rig = make_rig(GetParam());
   Counters all;
   for (std::uint32_t seed = first; seed < first + count; ++seed) {
@@ -243,7 +243,7 @@ TEST_P(Rounds, RandomPrograms) {
     all.vanished += one.vanished;
     if (HasFailure()) break;
   }
-  if (count < 60) return;
+  if (count < 40) return;
   for (const int number :
        {all.full, all.held, all.failed, all.events, all.event_waits, all.vanished}) {
     EXPECT_GT(number, 5);

@@ -6,8 +6,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 
+#include "flow/clocks.hpp"
 #include "flow/model.hpp"
 
 namespace rung::tb::flow {
@@ -73,6 +75,7 @@ class Story {
     model.answer = at_once;
     for (int i = 0; i < flow_block_words; ++i) rig_.bus_write(reg_flow_pc_data + i, 0);
     rig_.first();
+    const std::int64_t bound = clocks::bound(program).round();
     const int rounds = 6 + below(8);
     for (int n = 0; n < rounds && !testing::Test::HasFailure(); ++n) {
       SCOPED_TRACE(fmt::format("round {}", n));
@@ -82,6 +85,11 @@ class Story {
       EXPECT_EQ(text(round.writes), text(expected.writes));
       EXPECT_EQ(text(round.requests), text(expected.requests));
       EXPECT_EQ(text(round.replies), text(expected.replies));
+      const bool awaited = std::any_of(round.requests.begin(), round.requests.end(),
+                                       [=](const Request& r) { return in_place || !held(r); });
+      if (!awaited) {
+        EXPECT_LE(round.clocks, bound) << "the bound of a round";
+      }
       compare(model, tasks);
     }
   }

@@ -3,7 +3,7 @@
 """Lint everything: each check says its name and, if it finds something, what. Exit 1 if any does.
 
 Verilator -Wall   every processor with and without its retire port, in every board top; the controller in its own;
-                  the link and the panel client by themselves
+                  the flow scheduler, its pool, the link and the panel client by themselves
 verible           every Verilog file, rules of hdl/verible.rules
 pins              ports of the controller's board tops, constraints and hdl/isa/boards.toml agree
 clang-format      every C and C++ file
@@ -25,7 +25,7 @@ ROOT = tools.ROOT
 VERILATOR = os.environ.get("VERILATOR", "verilator")
 VERIBLE = os.environ.get("VERIBLE_LINT", str(tools.VENV_BIN / "verible-verilog-lint"))
 CLANG_FORMAT = os.environ.get("CLANG_FORMAT", "clang-format")
-INCLUDE = ['-I' + str(tools.GENERATED), '-I' + str(ROOT / "hdl" / "core")]
+INCLUDE = ['-I' + str(tools.GENERATED), '-I' + str(ROOT / "hdl" / "core"), '-I' + str(ROOT / "hdl" / "flow")]
 
 
 def output(command: list[str]) -> str:
@@ -45,7 +45,9 @@ def verilator() -> list[str]:
         runs.append((board.name, [*plc_design(board).sources, ROOT / "tb" / "boards" / "USRMCLK.v"], []))
     flow = ROOT / "hdl" / "flow"
     uart = [ROOT / "hdl" / "controller" / "host_uart.v", *sorted((ROOT / "hdl" / "peripherals").glob("uart_*x.v"))]
-    runs.append(("link", [*sorted(flow.glob("link*.v")), flow / "receive_ring.v", ROOT / "hdl" / "core" / "bank_ram.v"], []))
+    ram = ROOT / "hdl" / "core" / "bank_ram.v"
+    runs += [(top, [*sorted(flow.glob("flow_*.v")), ram], []) for top in ("flow_scheduler", "flow_pool")]
+    runs.append(("link", [*sorted(flow.glob("link*.v")), flow / "receive_ring.v", ram], []))
     runs.append(("panel_client", [flow / "panel_client.v", flow / "link_crc.v", *uart], []))
     for top, sources, options in runs:
         found.append(output([VERILATOR, "--lint-only", "-Wall", *INCLUDE, *options,

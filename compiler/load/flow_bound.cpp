@@ -26,10 +26,25 @@ bool waits(const FlowImage& flow, int number) {
   return number != 0 && flow.waits(flow.transfer(number));
 }
 
-std::int64_t turn_of(const FlowImage& flow, const FlowStep& step, bool resumes,
+// Starts and stops that its routine may write; the hardware takes no more than so many.
+std::int64_t commands_of(const image::Image& image, const FlowStep& step) {
+  int count = 0;
+  for (int at = step.entry; at < step.end; ++at) {
+    for (const isa::SlotInstruction& slot : image.steps.at(static_cast<std::size_t>(at))) {
+      count +=
+          isa::info(slot.opcode).format == isa::Format::Word && slot.rd == image.flow->task_word;
+    }
+  }
+  return std::min(count, flow::flow_task_commands);
+}
+
+std::int64_t turn_of(const image::Image& image, const FlowStep& step, bool resumes,
                      const FlowClocks& clocks) {
+  const FlowImage& flow = *image.flow;
+  const std::int64_t commands = commands_of(image, step);
   std::int64_t run =
       copy_of(flow, step.read, clocks) + step.clocks + copy_of(flow, step.write, clocks);
+  if (commands > 0) run += clocks.starts + clocks.start * commands;
   if (waits(flow, step.write)) run += clocks.suspend;
   if (waits(flow, step.read)) run = std::max(run, clocks.suspend);
   return clocks.turn + (resumes ? clocks.resume : 0) + run;
@@ -78,7 +93,7 @@ FlowBound flow_bound(const image::Image& image, const Phases& phases, const Flow
   }
   for (std::size_t i = 0; i < flow.steps.size(); ++i) {
     const FlowStep& step = flow.steps[i];
-    const std::int64_t turn = turn_of(flow, step, resumes.at(step.task), clocks);
+    const std::int64_t turn = turn_of(image, step, resumes.at(step.task), clocks);
     out.steps.push_back({step.clocks, turn});
     FlowBound::Task& task = out.tasks.at(step.task);
     if (turn <= task.turn) continue;

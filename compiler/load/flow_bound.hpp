@@ -6,7 +6,8 @@
 //   turn of a step = switch
 //                  + resume, if its task has any transfer over a link
 //                  + the longer of suspend (its read over a link is sent) and
-//                    [copy of its read] + routine + [copy of its write] + [suspend, over a link]
+//                    [copy of its read] + routine + [starts + start * its starts and stops]
+//                    + [copy of its write] + [suspend, over a link]
 //   round = round + (events of a full ring + the PC's) * (command + command_word * block_words)
 //         + the sum over the tasks of their longest turn
 //         + ladder + latch + refresh + exchange
@@ -41,6 +42,8 @@ struct FlowClocks {
   std::int64_t copy_word = flow::clocks_copy_word;
   std::int64_t own = flow::clocks_own;
   std::int64_t own_word = flow::clocks_own_word;
+  std::int64_t starts = flow::clocks_starts;
+  std::int64_t start = flow::clocks_start;
   std::int64_t command = flow::clocks_command;
   std::int64_t command_word = flow::clocks_command_word;
 };

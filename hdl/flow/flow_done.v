@@ -27,7 +27,7 @@ module flow_done (
     output wire [4:0] come_block_o,
     // commands
     output wire [8:0] came_o,
-    // status of a block
+    // status of a block, in the next clock
     input  wire [4:0] status_block_i,
     output wire [7:0] status_o
 );
@@ -63,7 +63,9 @@ module flow_done (
     if (owner_write_i && owner_block_i < FIRST_EVENT) owners[owner_block_i[3:0]] <= owner_task_i;
   end
 
-  assign status_o = statuses[status_block_i];
+  reg [7:0] status_out_q;
+  always @(posedge clk_i) status_out_q <= statuses[status_block_i];
+  assign status_o = status_out_q;
   assign come_valid_o = taken_q && of_task;
   assign come_task_o = owners[block_q[3:0]];
   assign come_block_o = block_q;

@@ -2,7 +2,7 @@
 // Which tasks are ready, and the next one to have its turn: one of 100, in one clock. A round goes from the task
 // behind the one that began the round before up to the last, and then, when around_i says so, from 0 to that one.
 // next_o has its turn with pick_i, and none again in this round. A ready bit that changes
-// (op_valid_i), begin_i, pick_i and around_i show in found_o and next_o two clocks later.
+// (op_valid_i), begin_i, pick_i and around_i show in found_o and next_o three clocks later.
 `default_nettype none
 `include "rung_flow.vh"
 
@@ -28,6 +28,7 @@ module flow_ready (
 
   // ---- the course of the round -----------------------------------------------------------------------
   reg any_q;
+  reg found_q;
   reg [6:0] next_q;
   reg [6:0] began_q;  // the task that began the last round that had a turn
   reg [6:0] limit_q;  // the last one of this round
@@ -47,7 +48,7 @@ module flow_ready (
   end
 
   assign around_o = around_q;
-  assign found_o = any_q && !(around_q && next_q > limit_q);
+  assign found_o = found_q;
   assign next_o = next_q;
 
   // ---- tasks that may be next: above a mark, kept as groups of 8 and bits of the group ---------------------
@@ -74,35 +75,40 @@ module flow_ready (
   wire [7:0] op_bit = 8'd1 << op_task_i[2:0];
   reg [8*GROUPS-1:0] may;
   reg [GROUPS-1:0] any;
+  reg [2:0] lowest_of[0:GROUPS-1];
+  reg below;  // a group below has one
   reg [3:0] group;
-  reg [7:0] bits;
   reg [2:0] lowest;
-  integer i;
+  integer i, j, k;
 
   always @* begin
     for (i = 0; i < 8 * GROUPS; i = i + 1) begin
       may[i] = ready_q[i] && (above_group_q[i/8] || (mark_group_q[i/8] && above_bit_q[i%8]));
     end
-    group = 4'd0;
-    bits  = 8'd0;
-    for (i = GROUPS - 1; i >= 0; i = i - 1) begin
-      any[i] = |may[8*i+:8];
-      if (any[i]) begin
-        group = i[3:0];
-        bits  = may[8*i+:8];
-      end
-    end
+    // The lowest of each group, and the first group that has one, side by side.
+    group  = 4'd0;
     lowest = 3'd0;
-    for (i = 7; i >= 0; i = i - 1) if (bits[i]) lowest = i[2:0];
+    for (i = 0; i < GROUPS; i = i + 1) begin
+      any[i] = |may[8*i+:8];
+      lowest_of[i] = 3'd0;
+      for (k = 7; k >= 0; k = k - 1) if (may[8*i+k]) lowest_of[i] = k[2:0];
+    end
+    for (i = 0; i < GROUPS; i = i + 1) begin
+      below = 1'b0;
+      for (k = 0; k < i; k = k + 1) below = below || any[k];
+      group  = group | ({4{any[i] && !below}} & i[3:0]);
+      lowest = lowest | ({3{any[i] && !below}} & lowest_of[i]);
+    end
   end
 
   always @(posedge clk_i) begin
-    any_q  <= |any;
-    next_q <= {group, lowest};
+    any_q   <= |any;
+    found_q <= any_q && !(around_q && next_q > limit_q);
+    next_q  <= {group, lowest};
     // Bits above the last task stay 0.
-    for (i = 0; i < 8 * GROUPS; i = i + 1) begin
-      if (!rst_ni || i >= TASKS) ready_q[i] <= 1'b0;
-      else if (op_group[i/8] && op_bit[i%8]) ready_q[i] <= op_ready_i;
+    for (j = 0; j < 8 * GROUPS; j = j + 1) begin
+      if (!rst_ni || j >= TASKS) ready_q[j] <= 1'b0;
+      else if (op_group[j/8] && op_bit[j%8]) ready_q[j] <= op_ready_i;
     end
   end
 

@@ -17,7 +17,7 @@ module flow_registers (
     input  wire         round_done_i,
     input  wire         ladder_i,
     input  wire         ladder_done_i,
-    // events, in the order of their registers from flow_pool_full to flow_late
+    // events: flow_pool_full, flow_held and on to flow_late, lowest first
     input  wire [  5:0] count_i,
     // counters of others
     input  wire [ 15:0] late_i,
@@ -30,8 +30,8 @@ module flow_registers (
     output wire [ 15:0] rdata_o
 );
 
-  localparam [7:0] FIRST = `RUNG_REG_FLOW_ROUNDS_LOW;
-  localparam [7:0] FIRST_COUNT = `RUNG_REG_FLOW_POOL_FULL;
+  localparam [7:0] FIRST = `RUNG_REG_FLOW_POOL_FULL;
+  localparam [7:0] HELD = `RUNG_REG_FLOW_HELD;
   localparam [15:0] MOST = 16'hffff;
 
   // ---- clocks ------------------------------------------------------------------------------------
@@ -73,19 +73,24 @@ module flow_registers (
   reg [3:0] clearing_q;  // after reset, the counts become 0
   reg [5:0] due_q;
   reg [2:0] which;
-  integer i;
+  integer i, j;
 
   always @* begin
     which = 3'd0;
-    for (i = 0; i < 6; i = i + 1) if (due_q[i]) which = i[2:0];
+    for (j = 0; j < 6; j = j + 1) if (due_q[j]) which = j[2:0];
   end
 
   wire clearing = clearing_q != 4'd0;
-  wire [2:0] count_addr = clearing ? clearing_q[2:0] : which;
-  wire [15:0] count = counts[count_addr];
+  reg count_valid_q;
+  reg clear_q;
+  reg [2:0] count_addr_q;
+  wire [15:0] count = counts[count_addr_q];
 
   always @(posedge clk_i) begin
-    if (clearing || due_q != 6'd0) counts[count_addr] <= clearing ? 16'd0 : count + 16'd1;
+    count_valid_q <= clearing || due_q != 6'd0;
+    clear_q <= clearing;
+    count_addr_q <= clearing ? clearing_q[2:0] : which;
+    if (count_valid_q) counts[count_addr_q] <= clear_q ? 16'd0 : count + 16'd1;
     if (!rst_ni) begin
       due_q <= 6'd0;
       clearing_q <= LAST_COUNT + 4'd1;
@@ -102,20 +107,22 @@ module flow_registers (
   reg [15:0] rdata_q;
   wire read = sel_register_i && read_i;
   wire [7:0] number = addr_i - FIRST;
-  wire [2:0] counted = addr_i[2:0] - FIRST_COUNT[2:0];
+  // Behind flow_pool_full's counter are those from flow_held on.
+  wire [2:0] counted = addr_i == FIRST ? 3'd0 : addr_i[2:0] - HELD[2:0] + 3'd1;
   wire [15:0] counter = counts[counted];
   wire [32*16-1:0] all = {
     {10 * 16{1'b0}},
     panel_i,
     link_i,
     counter + late_i,
-    {5{counter}},
+    {4{counter}},
     ladder_max_q,
     ladder_min_q,
     high_q,
     most_q[15:0],
     high_q,
-    rounds_q[15:0]
+    rounds_q[15:0],
+    counter
   };
 
   always @(posedge clk_i) begin

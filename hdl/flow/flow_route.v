@@ -83,6 +83,9 @@ module flow_route #(
   reg [1:0] way_q;
   reg gives_up_q;
   reg exclusive_q;
+  reg blocked_q;
+  reg [BOARDS-1:0] held_q;
+  wire exclusive = own && there && attributes_i[`RUNG_BOARD_BIT_EXCLUSIVE];
 
   always @(posedge clk_i) begin
     if (!counted) way_q <= `FLOW_WAY_REFUSED;
@@ -91,19 +94,26 @@ module flow_route #(
     else if (panel) way_q <= `FLOW_WAY_PANEL;
     else way_q <= mapped ? `FLOW_WAY_LOCAL : `FLOW_WAY_REFUSED;
     gives_up_q  <= !own || attributes_i[`RUNG_BOARD_BIT_OVER_LINK];
-    exclusive_q <= own && there && attributes_i[`RUNG_BOARD_BIT_EXCLUSIVE];
+    exclusive_q <= exclusive;
+    blocked_q <= exclusive && held_q[board_q[3:0]];
   end
 
   // ---- locks -------------------------------------------------------------------------------------
-  reg [BOARDS-1:0] held_q;
   reg [4:0] holder_q[0:BOARDS-1];
+  reg lock_q;
+  reg [3:0] lock_board_q;
+  reg [4:0] lock_block_q;
   integer i;
 
   always @(posedge clk_i) begin
+    // A clock later: nobody asks before it is done.
+    lock_q <= lock_i && rst_ni;
+    lock_board_q <= lock_board_i;
+    lock_block_q <= lock_block_i;
     for (i = 0; i < BOARDS; i = i + 1) begin
-      if (lock_i && lock_board_i == i[3:0]) begin
+      if (lock_q && lock_board_q == i[3:0]) begin
         held_q[i]   <= 1'b1;
-        holder_q[i] <= lock_block_i;
+        holder_q[i] <= lock_block_q;
       end else if (free_valid_i && holder_q[i] == free_block_i) begin
         held_q[i] <= 1'b0;
       end
@@ -114,7 +124,7 @@ module flow_route #(
   assign way_o = way_q;
   assign gives_up_o = gives_up_q;
   assign exclusive_o = exclusive_q;
-  assign held_o = exclusive_q && held_q[board_q[3:0]];
+  assign held_o = blocked_q;
   assign board_o = board_q[3:0];
   assign first_o = first_q;
   assign count_o = count_q[5:0];

@@ -192,6 +192,7 @@ module flow_scheduler #(
   wire wrote_end;
   wire commands_wait;
   wire [7:0] command;
+  wire command_known;
   wire command_last;
   wire commands_done;
   wire command_take_route;
@@ -412,6 +413,7 @@ module flow_scheduler #(
       .wrote_end_i       (wrote_end),
       .commands_i        (commands_wait),
       .command_i         (command),
+      .command_known_i   (command_known),
       .command_last_i    (command_last),
       .command_take_o    (command_take),
       .full_o            (pool_full),
@@ -433,6 +435,7 @@ module flow_scheduler #(
       .end_o        (wrote_end),
       .commands_o   (commands_wait),
       .command_o    (command),
+      .known_o      (command_known),
       .last_o       (command_last),
       .take_i       (command_take)
   );

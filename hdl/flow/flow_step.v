@@ -85,6 +85,7 @@ module flow_step (
     input  wire        wrote_end_i,
     input  wire        commands_i,           // in this clock too
     input  wire [ 7:0] command_i,            // bit 7: start, else stop
+    input  wire        command_known_i,      // else it changes nothing
     input  wire        command_last_i,
     output wire        command_take_o,
     // counters
@@ -99,42 +100,47 @@ module flow_step (
   localparam [4:0] SCRATCH = `RUNG_FLOW_PC_BLOCK + 1;
   localparam [7:0] REFUSED = `RUNG_FLOW_STATUS_REFUSED;
 
-  localparam [4:0] IDLE = 5'd0;
-  localparam [4:0] PICK = 5'd1;  // the turn before ends, the next one begins
-  localparam [4:0] ROW = 5'd2;  // the row is there, the step is read
-  localparam [4:0] STEP = 5'd3;  // the step is there
-  localparam [4:0] STORED = 5'd4;  // the answer to a STORE has come
-  localparam [4:0] FETCH = 5'd5;  // STEP once more, behind it
-  localparam [4:0] READ = 5'd6;  // a transfer is read,
-  localparam [4:0] TAKE = 5'd7;  // is there,
-  localparam [4:0] ROUTE = 5'd8;  // is taken,
-  localparam [4:0] ROUTED = 5'd9;  // and its way known
-  localparam [4:0] LOCK = 5'd10;  // of the board behind the routine
-  localparam [4:0] GET = 5'd11;  // transfer before the routine: map to scratch block
-  localparam [4:0] PUT = 5'd12;  // block to words
-  localparam [4:0] STATUS = 5'd13;
-  localparam [4:0] SETTLE = 5'd14;  // the last access has a clock to get to the processor
-  localparam [4:0] RUN = 5'd15;
-  localparam [4:0] RUNNING = 5'd16;
-  localparam [4:0] LAST = 5'd17;  // the last words written are there
-  localparam [4:0] COMMAND = 5'd18;
-  localparam [4:0] GAP1 = 5'd19;  // until next_i knows what has changed
-  localparam [4:0] GAP2 = 5'd20;
-  localparam [4:0] COLLECT = 5'd21;  // transfer behind the routine: words to block
-  localparam [4:0] GIVE = 5'd22;  // scratch block to map
-  localparam [4:0] SEND = 5'd23;
-  localparam [4:0] SENT = 5'd24;
-  localparam [4:0] AWAIT = 5'd25;  // in place: peek,
-  localparam [4:0] AWAIT_ROW = 5'd26;  // again and again
-  localparam [4:0] AWAIT_STEP = 5'd27;
-  localparam [4:0] ABORT = 5'd28;
+  localparam [5:0] IDLE = 6'd0;
+  localparam [5:0] PICK = 6'd1;  // the turn before ends, the next one begins
+  localparam [5:0] ROW = 6'd2;  // the row is there, the step is read
+  localparam [5:0] STEP = 6'd3;  // the step is there
+  localparam [5:0] DECIDE = 6'd4;
+  localparam [5:0] ANSWER = 6'd5;  // the block's status is looked up
+  localparam [5:0] STORED = 6'd6;  // the answer to a STORE has come
+  localparam [5:0] FETCH = 6'd7;  // DECIDE once more, behind it
+  localparam [5:0] READ = 6'd8;  // a transfer is read,
+  localparam [5:0] TAKE = 6'd9;  // is there,
+  localparam [5:0] ROUTE = 6'd10;  // is taken,
+  localparam [5:0] ROUTED = 6'd11;  // and its way known
+  localparam [5:0] LOCK = 6'd12;  // of the board behind the routine
+  localparam [5:0] GET = 6'd13;  // transfer before the routine: map to scratch block
+  localparam [5:0] PUT = 6'd14;  // block to words
+  localparam [5:0] STATUS = 6'd15;
+  localparam [5:0] SETTLE = 6'd16;  // the last access has a clock to get to the processor
+  localparam [5:0] RUN = 6'd17;
+  localparam [5:0] RUNNING = 6'd18;
+  localparam [5:0] LAST = 6'd19;  // the last words written are there
+  localparam [5:0] COMMAND = 6'd20;
+  localparam [5:0] GAP1 = 6'd21;  // until next_i knows what has changed
+  localparam [5:0] GAP2 = 6'd22;
+  localparam [5:0] GAP3 = 6'd23;
+  localparam [5:0] GAP4 = 6'd24;
+  localparam [5:0] COLLECT = 6'd25;  // transfer behind the routine: words to block
+  localparam [5:0] GIVE = 6'd26;  // scratch block to map
+  localparam [5:0] SEND = 6'd27;
+  localparam [5:0] SENT = 6'd28;
+  localparam [5:0] AWAIT = 6'd29;  // in place: peek,
+  localparam [5:0] AWAIT_ROW = 6'd30;  // again and again
+  localparam [5:0] AWAIT_STEP = 6'd31;
+  localparam [5:0] AWAIT_FLAGS = 6'd32;
+  localparam [5:0] ABORT = 6'd33;
 
   localparam [1:0] FOR_AFTER = 2'd0;  // before the step begins, the transfer behind it,
   localparam [1:0] FOR_BEFORE = 2'd1;  // and the one before it: to see whether it can begin
   localparam [1:0] FOR_LOAD = 2'd2;
   localparam [1:0] FOR_STORE = 2'd3;
 
-  reg [4:0] state_q;
+  reg [5:0] state_q;
   reg [1:0] for_q;
   reg [6:0] task_q;
   reg begun_q;  // copy or request of this state
@@ -155,23 +161,19 @@ module flow_step (
   reg after_lock_q;
   reg after_held_q;
   reg [3:0] after_board_q;
+  reg break_q;
+  reg [7:0] before_q;
+  reg [7:0] after_q;
   reg [15:0] entry_q;
   reg [15:0] end_q;
   reg start_q;
   reg flags_due_q;  // breakpoint or block to be taken
 
-  wire [10:0] row_step = row_i[10:0];
-  wire [1:0] row_phase = row_i[12:11];
-  wire row_ends = row_i[13];
-  wire row_status_due = row_i[14];
-  wire [7:0] row_status = row_i[22:15];
-
   // ---- FETCH -------------------------------------------------------------------------------------
-  wire fetch = (state_q == STEP && row_phase == PHASE_FETCH) || state_q == FETCH;
-  wire pause = (step_break_i || peek_ask_i) && !peek_skip_i;
-  wire has_before = step_before_i != 8'd0;
-  wire has_after = step_after_i != 8'd0;
-  wire due = state_q == STEP ? row_status_due : status_due_q;
+  wire fetch = (state_q == DECIDE && phase_q == PHASE_FETCH) || state_q == FETCH;
+  wire pause = (break_q || peek_ask_i) && !peek_skip_i;
+  wire has_before = before_q != 8'd0;
+  wire has_after = after_q != 8'd0;
   wire linked = way_i == `FLOW_WAY_LINK || way_i == `FLOW_WAY_PANEL;
   wire check = state_q == ROUTED && for_q == FOR_BEFORE;
   wire check_alone = state_q == ROUTED && for_q == FOR_AFTER && !has_before;
@@ -196,18 +198,18 @@ module flow_step (
   assign copy_put_data_o = {8'd0, status_q};
 
   assign transfer_read_o = state_q == READ;
-  assign transfer_o = for_q == FOR_AFTER || for_q == FOR_STORE ? step_after_i : step_before_i;
+  assign transfer_o = for_q == FOR_AFTER || for_q == FOR_STORE ? after_q : before_q;
   assign take_o = state_q == TAKE;
   assign send_o = state_q == SEND && !sending_i;
   assign write_o = for_q == FOR_STORE;
-  assign block_o = state_q == STORED ? peek_block_i : block_q;
+  assign block_o = block_q;
   assign task_block_take_o = begins && needs_block;
   assign lock_o = (begins && needs_block && exclusive_i) ||
       (state_q == LOCK && after_lock_q && own_q);
   assign lock_board_o = state_q == LOCK ? after_board_q : board_i;
 
   assign step_read_o = state_q == ROW || state_q == AWAIT_ROW;
-  assign step_o = row_step;
+  assign step_o = row_i[10:0];
   wire pick = state_q == PICK && !finish_due_q;
   assign pick_o = pick && found_i;
   assign around_o = pick && !found_i && !around_i;
@@ -242,10 +244,10 @@ module flow_step (
       end
       STORED: begin
         op_valid = 1'b1;
-        op = row_ends ? `FLOW_OP_END : `FLOW_OP_TAKE;
+        op = ends_q ? `FLOW_OP_END : `FLOW_OP_TAKE;
         op_free = 1'b1;
       end
-      STEP, FETCH: begin
+      DECIDE, FETCH: begin
         op_valid = fetch && pause;
         op = `FLOW_OP_PAUSE;
       end
@@ -255,7 +257,7 @@ module flow_step (
         op = `FLOW_OP_TAKE;
       end
       COMMAND: begin
-        op_valid = 1'b1;
+        op_valid = command_known_i;
         op = command_i[7] ? `FLOW_OP_START : `FLOW_OP_STOP;
       end
       SEND: begin
@@ -275,7 +277,7 @@ module flow_step (
   assign op_o = op;
   assign op_task_o = state_q == COMMAND ? command_i[6:0] :
       state_q == PICK && !finish_due_q ? next_i : task_q;
-  assign op_block_o = state_q == STORED ? peek_block_i : block_q;
+  assign op_block_o = block_q;
   assign op_free_o = op_free;
 
   // ---- the course of a turn --------------------------------------------------------------------------
@@ -303,25 +305,27 @@ module flow_step (
       end
       ROW: state_q <= STEP;
       STEP: begin
-        step_q <= row_step;
-        next_q <= row_step;
-        {status_q, status_due_q} <= {row_status, row_status_due};
+        {status_q, status_due_q, ends_q, phase_q, step_q} <= row_i;
+        next_q <= row_i[10:0];
+        {entry_q, end_q} <= {step_entry_i, step_end_i};
+        {before_q, after_q, break_q} <= {step_before_i, step_after_i, step_break_i};
+        state_q <= DECIDE;
+      end
+      DECIDE: begin
         flags_due_q <= peek_skip_i || peek_has_i;
         phase_q <= PHASE_FETCH;
         for_q <= FOR_LOAD;
-        if (row_phase == PHASE_STORE) begin
-          state_q <= STORED;
-        end else if (row_phase == PHASE_LOAD) begin
-          state_q <= READ;
-          own_q   <= 1'b1;
-          block_q <= peek_block_i;
-        end
+        block_q <= peek_block_i;
+        own_q <= phase_q == PHASE_LOAD;
+        if (phase_q == PHASE_STORE) state_q <= ANSWER;
+        else state_q <= READ;  // for a LOAD; FETCH below
       end
+      ANSWER: state_q <= STORED;
       STORED: begin
         // The block's status is there; a step in place has had its turn.
         {status_q, status_due_q} <= {status_i, 1'b1};
         flags_due_q <= peek_skip_i;
-        state_q <= row_ends || in_place_q ? PICK : FETCH;
+        state_q <= ends_q || in_place_q ? PICK : FETCH;
         row_due_q <= 1'b1;
       end
       READ: state_q <= TAKE;
@@ -386,14 +390,16 @@ module flow_step (
         if (commands_i) state_q <= COMMAND;
       end
       COMMAND: begin
-        if (command_i == {1'b0, task_q}) begin
+        if (command_known_i && command_i == {1'b0, task_q}) begin
           {row_due_q, ends_q, gone_q} <= 3'b001;
           finish_due_q <= own_q;
         end
         if (command_last_i) state_q <= GAP1;
       end
       GAP1: state_q <= GAP2;
-      GAP2: state_q <= behind_q && has_after && !gone_q ? READ : PICK;
+      GAP2: state_q <= GAP3;
+      GAP3: state_q <= GAP4;
+      GAP4: state_q <= behind_q && has_after && !gone_q ? READ : PICK;
       COLLECT: if (copy_done_i) state_q <= local_after ? GIVE : SEND;
       GIVE: begin
         status_q <= 8'd0;
@@ -413,7 +419,9 @@ module flow_step (
       end
       AWAIT: state_q <= AWAIT_ROW;
       AWAIT_ROW: state_q <= AWAIT_STEP;
-      AWAIT_STEP: state_q <= peek_waits_i ? AWAIT : STEP;
+      // Flags are there in the clock after it.
+      AWAIT_STEP: state_q <= AWAIT_FLAGS;
+      AWAIT_FLAGS: state_q <= peek_waits_i ? AWAIT : STEP;
       default: begin  // ABORT
         state_q <= IDLE;
         own_q   <= 1'b0;
@@ -424,10 +432,9 @@ module flow_step (
       for_q <= has_after ? FOR_AFTER : FOR_BEFORE;
       if (pause) {state_q, row_due_q} <= {PICK, 1'b1};
       else if (has_before || has_after) state_q <= READ;
-      else if (due) state_q <= STATUS;
+      else if (status_due_q) state_q <= STATUS;
       else {state_q, start_q} <= {RUN, 1'b1};
     end
-    if (state_q == STEP) {entry_q, end_q} <= {step_entry_i, step_end_i};
     if (wrote_next_i && (state_q == RUNNING || state_q == LAST)) begin
       next_q <= wrote_step_i;
       ends_q <= wrote_end_i;

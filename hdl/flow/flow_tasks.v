@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The table of tasks. A task has flags (started, waits for its data, ...), a row (its step and what it is about
 // to do there), and its first step, which is loaded. Everything that happens to a task is an operation: given
-// in one clock, done in the next, engine before completions before bus before the walk that starts a
+// in one clock, looked up in the next and done in the one after that, engine before completions before bus, which waits for the walk that starts a
 // program. What an operation changes of a task's readiness goes to flow_ready.v, blocks that it frees to the pool and
 // the locks.
-//   PEEK   flags into peek_*_o in the clock after that; the row into row_o in the next clock, until the next PEEK
+//   PEEK   the row into row_o in the next clock, flags into peek_*_o in the third, both until the next PEEK
 //   START  if it is not started: it is, at its first step       STOP   it is not; a block with data is freed
 //   TAKE   the block is the engine's; a breakpoint is passed     END    it is not started
 //   FREE   nothing else                                           WAIT   it waits, for op_block
@@ -87,7 +87,7 @@ module flow_tasks (
         view_q <= wdata_i[15:0] > {9'd0, LAST} ? LAST : wdata_i[6:0];
       end
       if (register_write && addr_i == `RUNG_REG_FLOW_TASK_CONTINUE) bus_valid_q <= 1'b1;
-      else if (bus_taken) bus_valid_q <= 1'b0;
+      else if (bus_taken || first_i) bus_valid_q <= 1'b0;
     end
     if (register_write && addr_i == `RUNG_REG_FLOW_TASK_CONTINUE) begin
       bus_go_q   <= wdata_i[0];
@@ -98,7 +98,9 @@ module flow_tasks (
   // ---- the walk ----------------------------------------------------------------------------------
   reg walking_q;
   reg [6:0] walk_q;
-  wire walk = walking_q && !engine_valid_i && !come_valid_i && !bus_valid_q;
+  // What the bus asks for waits until the walk is over, which would undo it; a walk that begins drops it.
+  wire bus_asks = bus_valid_q && !walking_q;
+  wire walk = walking_q && !engine_valid_i && !come_valid_i;
 
   always @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -113,6 +115,11 @@ module flow_tasks (
   end
 
   // ---- the operation: given ------------------------------------------------------------------------
+  reg look_valid_q;
+  reg [3:0] look_op_q;
+  reg [6:0] look_task_q;
+  reg [4:0] look_block_q;
+  reg look_free_q;
   reg op_valid_q;
   reg [3:0] op_q;
   reg [6:0] task_q;
@@ -120,33 +127,39 @@ module flow_tasks (
   reg free_q;
   wire op_given = engine_valid_i || come_valid_i || bus_valid_q || walking_q;
   wire [6:0] op_task = engine_valid_i ? engine_task_i : come_valid_i ? come_task_i :
-      bus_valid_q ? bus_task_q : walk_q;
+      bus_asks ? bus_task_q : walk_q;
 
   assign come_ready_o = !engine_valid_i;
-  assign bus_taken = !engine_valid_i && !come_valid_i;
+  assign bus_taken = bus_asks && !engine_valid_i && !come_valid_i;
 
   always @(posedge clk_i) begin
-    op_valid_q <= rst_ni && op_given;
-    op_q <= engine_valid_i ? engine_op_i : come_valid_i ? `FLOW_OP_COME :
-        bus_valid_q ? (bus_go_q ? `FLOW_OP_GO : `FLOW_OP_ASK) : `FLOW_OP_INIT;
-    task_q <= op_task;
-    block_q <= engine_valid_i ? engine_block_i : come_block_i;
-    free_q <= engine_valid_i && engine_free_i;
+    look_valid_q <= rst_ni && op_given;
+    look_op_q <= engine_valid_i ? engine_op_i : come_valid_i ? `FLOW_OP_COME :
+        bus_asks ? (bus_go_q ? `FLOW_OP_GO : `FLOW_OP_ASK) : `FLOW_OP_INIT;
+    look_task_q <= op_task;
+    look_block_q <= engine_valid_i ? engine_block_i : come_block_i;
+    look_free_q <= engine_valid_i && engine_free_i;
+    op_valid_q <= rst_ni && look_valid_q;
+    {op_q, task_q, block_q, free_q} <= {look_op_q, look_task_q, look_block_q, look_free_q};
   end
 
-  assign walking_o = walking_q || first_i || (op_valid_q && op_q == `FLOW_OP_INIT);
+  assign walking_o = walking_q || first_i || (look_valid_q && look_op_q == `FLOW_OP_INIT) ||
+      (op_valid_q && op_q == `FLOW_OP_INIT);
 
-  // ---- flags: the memory gives what they were before the operation that is being done -----------------
+  // ---- flags: the memory gives what they were before the last two operations -----------------------------
   wire [9:0] flags_read;
-  reg again_q;  // the same task as the operation before, which was being written
+  wire [15:0] first_read;
+  reg [9:0] flags_q;
+  reg [15:0] first_q;
+  reg again_q;  // the task that was being written when it was read
   reg [9:0] written_q;
-  wire [9:0] flags = again_q ? written_q : flags_read;
+  wire [9:0] flags = flags_q;
+  wire [15:0] first = first_q;
   wire started = flags[0];
   wire waits = flags[1];
   wire paused = flags[2];
   wire has = flags[5];
   wire [3:0] block = flags[9:6];
-  wire [15:0] first;
 
   reg [9:0] flags_next;
   reg write_flags;
@@ -212,8 +225,11 @@ module flow_tasks (
   end
 
   always @(posedge clk_i) begin
-    again_q   <= op_given && write_flags && op_task == task_q;
+    again_q   <= write_flags && op_task == task_q;
     written_q <= flags_next;
+    if (write_flags && look_task_q == task_q) flags_q <= flags_next;
+    else flags_q <= again_q ? written_q : flags_read;
+    first_q <= first_read;
   end
 
   bank_ram #(
@@ -239,7 +255,7 @@ module flow_tasks (
       .clk_i       (clk_i),
       .read_i      (op_given),
       .read_addr_i (op_task),
-      .read_data_o (first),
+      .read_data_o (first_read),
       .write_i     (load_write_i),
       .write_addr_i(load_addr_i),
       .write_data_i(load_data_i)

@@ -21,6 +21,7 @@ module flow_writes (
     // starts and stops: some wait, or one is written; the first (bit 7: start) is command_o, and maybe the last
     output wire        commands_o,
     output wire [ 7:0] command_o,
+    output wire        known_o,        // it is of a task that there may be
     output wire        last_o,
     input  wire        take_i
 );
@@ -44,13 +45,13 @@ module flow_writes (
   wire [15:0] task_data = task1 ? data1 : data0;
   wire known = task_data[15:9] == 7'd0 && !task_data[7] && task_data[6:0] < TASKS;
 
-  (* ram_style = "distributed" *) reg [7:0] waiting[0:15];
+  (* ram_style = "distributed" *) reg [8:0] waiting[0:15];
   reg [4:0] written_q;
   reg [4:0] taken_q;
-  wire write = (task0 || task1) && known && written_q != MOST;
+  wire write = (task0 || task1) && written_q != MOST;
 
   always @(posedge clk_i) begin
-    if (write) waiting[written_q[3:0]] <= {task_data[8], task_data[6:0]};
+    if (write) waiting[written_q[3:0]] <= {known, task_data[8], task_data[6:0]};
     if (!rst_ni || routine_i) begin
       written_q <= 5'd0;
       taken_q   <= 5'd0;
@@ -61,7 +62,7 @@ module flow_writes (
   end
 
   assign commands_o = write || written_q != taken_q;
-  assign command_o = waiting[taken_q[3:0]];
+  assign {known_o, command_o} = waiting[taken_q[3:0]];
   assign last_o = taken_q + 5'd1 == written_q;
 
 endmodule

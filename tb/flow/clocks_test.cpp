@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "flow/rig.hpp"
 
 namespace rung::tb::flow {
@@ -25,8 +27,7 @@ class Clocks : public testing::TestWithParam<isa::Mpu> {
     return step;
   }
   static int ladder(const Program& program) {
-    // ladder_ports.v: three clocks beside the processor's.
-    return static_cast<int>(program.ladder.size()) + kRoutine + 3;
+    return static_cast<int>(program.ladder.size()) + kRoutine + kPorts;
   }
   // Clocks of the turns of the round that is next.
   int turns() {
@@ -39,6 +40,35 @@ class Clocks : public testing::TestWithParam<isa::Mpu> {
     rig_->load(program_);
     rig_->first();
     rig_->idle(kWalk);
+  }
+
+  // A task whose only step has such transfers, starts and stops: turns that follow each other.
+  void one_step(int before, int after, int commands, bool last) {
+    SCOPED_TRACE(
+        fmt::format("before {} after {} commands {} ends {}", before, after, commands, last));
+    program_.transfers.assign(1, Transfer{});
+    const int own = program_.add({kUnit, kMemory, 0, 32, kFirstData});
+    const int far = program_.add({kUnit, kAlone, 0, 32, kFirstData});
+    const auto number = [=](int kind) { return kind == 0 ? 0 : kind == 1 ? own : far; };
+    Step step{{log(1), last ? ends() : next(0)}, number(before), number(after)};
+    for (int i = 0; i < commands; ++i) step.routine.push_back(stop(50 + i));
+    program_.steps = {step};
+    program_.tasks = {Task{0, true}};
+    begin();
+    const load::FlowBound all = bound(program_);
+    const auto limit = static_cast<int>(all.turns);
+    int most = 0;
+    for (int n = 0; n < 8; ++n) {
+      most = std::max(most, turns());
+      if (rig_->held().empty()) continue;
+      const bool write = rig_->held().front().write;
+      rig_->release(0, {0, 0, std::vector<std::uint16_t>(write ? 0U : 32U, 7)});
+      rig_->drain();
+    }
+    EXPECT_LE(most, limit);
+    // What `switch`, `resume` and a copy's way to the other side have for other turns.
+    constexpr int kSlack = 13;
+    EXPECT_GE(most, limit - kSlack);
   }
 
   std::shared_ptr<Rig> rig_;
@@ -217,6 +247,27 @@ TEST_P(Clocks, Commands) {
   rig_->release(0, {0, 0, {1}});
   rig_->drain();
   EXPECT_EQ(turns(), kPcResumed);
+}
+
+// What the compiler's bound is made of holds for every kind of step, and is not far from the most.
+TEST_P(Clocks, NoTurnTakesLongerThanTheTableSays) {
+  for (const int before : {0, 1, 2}) {  // none, own memory, over a link
+    for (const int after : {0, 1, 2}) {
+      for (const int commands : {0, 1, flow_task_commands}) {
+        for (const bool last : {false, true}) one_step(before, after, commands, last);
+      }
+    }
+  }
+}
+
+TEST_P(Clocks, NoCommandTakesLongerThanTheTableSays) {
+  EXPECT_GE(clocks_command, kEvent + kIn);
+  EXPECT_GE(clocks_command, kEvent + kOut);
+  EXPECT_GE(clocks_command, kPc + kIn);
+  EXPECT_GE(clocks_command, kPc + kOut);
+  EXPECT_GE(clocks_command_word, 1);
+  EXPECT_GE(clocks_command, std::max({kEventWaits, kEventResumed, kPcResumed}));
+  EXPECT_GE(clocks_round, kRound + kWalk);
 }
 
 TEST_P(Clocks, WithoutFlowsARoundIsTheLadder) {

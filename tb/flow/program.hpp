@@ -69,6 +69,7 @@ struct Program {
   std::vector<Task> tasks;
   std::array<int, rung::flow::flow_boards> boards{};
   bool in_place = false;
+  bool packed = false;  // moves that may stand beside each other do
 
   int add(const Transfer& transfer) {
     transfers.push_back(transfer);

@@ -8,6 +8,7 @@ Program random_program(std::mt19937& random, int tasks, bool in_place) {
   Program program;
   program.boards = usual_boards();
   program.in_place = in_place;
+  program.packed = true;
   const int transfers = 1 + below(12);
   for (int i = 0; i < transfers; ++i) {
     Transfer t;

@@ -6,8 +6,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 
+#include "flow/clocks.hpp"
 #include "flow/model.hpp"
 
 namespace rung::tb::flow {
@@ -56,6 +58,9 @@ class Story {
  public:
   Story(Rig& rig, std::uint32_t seed) : rig_(rig), random_(seed) {}
 
+  // What has happened, so that no test is one of nothing.
+  const Counters& seen() const { return seen_; }
+
   void play() {
     const int tasks = below(4) == 0 ? flow_tasks : 1 + below(12);
     const bool in_place = below(6) == 0;
@@ -70,6 +75,7 @@ class Story {
     model.answer = at_once;
     for (int i = 0; i < flow_block_words; ++i) rig_.bus_write(reg_flow_pc_data + i, 0);
     rig_.first();
+    const std::int64_t bound = clocks::bound(program).round();
     const int rounds = 6 + below(8);
     for (int n = 0; n < rounds && !testing::Test::HasFailure(); ++n) {
       SCOPED_TRACE(fmt::format("round {}", n));
@@ -79,6 +85,11 @@ class Story {
       EXPECT_EQ(text(round.writes), text(expected.writes));
       EXPECT_EQ(text(round.requests), text(expected.requests));
       EXPECT_EQ(text(round.replies), text(expected.replies));
+      const bool awaited = std::any_of(round.requests.begin(), round.requests.end(),
+                                       [=](const Request& r) { return in_place || !held(r); });
+      if (!awaited) {
+        EXPECT_LE(round.clocks, bound) << "the bound of a round";
+      }
       compare(model, tasks);
     }
   }
@@ -206,9 +217,11 @@ class Story {
           << "word " << word;
     }
     free_events_ = model.free_event_blocks();
+    seen_ = c;
   }
 
   Rig& rig_;
+  Counters seen_;
   std::mt19937 random_;
   int free_events_ = flow_event_blocks;
 };
@@ -221,13 +234,27 @@ TEST_P(Rounds, RandomPrograms) {
   const char* many = std::getenv("RUNG_COUNT");
   const std::uint32_t count = given != nullptr  ? 1
                               : many != nullptr ? static_cast<std::uint32_t>(std::atol(many))
-                                                : 60;
+                                                : 40;
   const auto rig = make_rig(GetParam());
+  Counters all;
   for (std::uint32_t seed = first; seed < first + count; ++seed) {
     SCOPED_TRACE(
         fmt::format("replay: RUNG_SEED={} flow_test --gtest_filter='*RandomPrograms*'", seed));
-    EXPECT_NO_THROW(Story(*rig, seed).play());
+    Story story(*rig, seed);
+    EXPECT_NO_THROW(story.play());
+    const Counters& one = story.seen();
+    all.full += one.full;
+    all.held += one.held;
+    all.failed += one.failed;
+    all.events += one.events;
+    all.event_waits += one.event_waits;
+    all.vanished += one.vanished;
     if (HasFailure()) break;
+  }
+  if (count < 40) return;
+  for (const int number :
+       {all.full, all.held, all.failed, all.events, all.event_waits, all.vanished}) {
+    EXPECT_GT(number, 5);
   }
 }
 

@@ -20,7 +20,8 @@ namespace {
 
 using namespace rung::flow;
 
-constexpr int kPairs = 25;  // tasks with two steps each
+constexpr int kPairs = 25;   // tasks with two steps each
+constexpr int kOthers = 10;  // with one
 
 class Traffic {
  public:
@@ -33,8 +34,8 @@ class Traffic {
     rig_.answer = [this](const Request& request) { return carry_out(request); };
     rig_.first();
     rig_.idle(clocks::kWalk);
-    const int ladder = static_cast<int>(program.ladder.size()) + clocks::kRoutine + 3;
-    const int bound = clocks::bound(program, ladder);
+    const int ladder = static_cast<int>(program.ladder.size()) + clocks::kRoutine + clocks::kPorts;
+    const std::int64_t bound = clocks::bound(program).round();
     for (int n = 0; n < 60 && !testing::Test::HasFailure(); ++n) {
       if (below(2) == 0) event();
       if (below(3) == 0) pc();
@@ -60,8 +61,9 @@ class Traffic {
     program.boards = usual_boards();
     program.ladder = {set(200, 1), set(201, 2), set(202, 3)};
     for (int n = 0; n < kPairs; ++n) {
-      Transfer t{kUnit, below(4) == 0 ? kAlone : kSlow, n, 1, kFirstData + n};
-      if (below(3) == 0) t.unit = 6;
+      const bool alone = below(4) == 0 || n < 3;
+      Transfer t{kUnit, alone ? kAlone : kSlow, n, 1, kFirstData + n};
+      if (below(3) == 0 && n >= 3) t.unit = 6;
       const int number = program.add(t);
       program.steps.push_back(
           {{log(n), copy(kLog, kFirstData + n), copy(kLog, kStatusWord), next(2 * n + 1)},
@@ -70,10 +72,17 @@ class Traffic {
       program.steps.push_back({{log(256 + n), next(2 * n)}, 0, number});
       program.tasks.push_back({2 * n, true});
     }
-    // Those that always run.
-    for (int n = kPairs; n < kPairs + 10; ++n) {
-      program.steps.push_back({{log(1000), next(2 * kPairs + n - kPairs)}, 0, 0});
-      program.tasks.push_back({2 * kPairs + n - kPairs, true});
+    // Those that always run; one of them starts what runs already.
+    for (int n = kPairs; n < kPairs + kOthers; ++n) {
+      Step step{{log(1000), next(n + kPairs)}, 0, 0};
+      const Transfer own{kUnit, kMemory, 0, 1 + below(flow_block_words), kFirstData + kPairs};
+      if (below(2) == 0) step.before = program.add(own);
+      if (below(2) == 0) step.after = program.add(own);
+      for (int i = n == kPairs ? flow_task_commands : 0; i > 0; --i) {
+        step.routine.push_back(start(kPairs + below(kOthers)));
+      }
+      program.steps.push_back(step);
+      program.tasks.push_back({n + kPairs, true});
     }
     return program;
   }
@@ -110,8 +119,10 @@ class Traffic {
     for (const Write& write : round.writes) {
       if (write.word == kLog) log.push_back(write.value);
     }
+    int others = 0;
     for (std::size_t i = 0; i < log.size();) {
       const int task = log[i];
+      others += task == 1000;
       if (task == 1000 || task >= 256) {
         ++i;
         continue;
@@ -126,7 +137,7 @@ class Traffic {
       ++loads_;
       i += 3;
     }
-    EXPECT_EQ(std::count(log.begin(), log.end(), 1000), 10) << "each of the others, once a round";
+    EXPECT_EQ(others, kOthers) << "each of the others, once a round";
     for (const Reply& reply : round.replies) {
       ASSERT_TRUE(asked_.contains(reply.tag)) << "a reply nobody waits for";
       const Event event = asked_[reply.tag];
@@ -175,7 +186,9 @@ class Traffic {
     rig_.load(program);
     rig_.first();
     rig_.idle(clocks::kWalk);
-    rig_.answer = nullptr;
+    rig_.answer = [](const Request& r) {
+      return Answer{r.block < flow_task_blocks ? -1 : 0, 0, {}};
+    };
     std::size_t replies = 0;
     for (int n = 0; n < 3; ++n) {
       const Round round = rig_.round();

@@ -46,9 +46,10 @@ class VerilatedRig final : public Rig {
 
   void load(const Program& program) override {
     using namespace rung::flow;
-    std::vector<isa::SlotInstruction> code;
-    // A routine takes one step a move, in one slot after the other.
+    // A routine takes one step a move, in one slot after the other, or two side by side.
+    std::vector<std::vector<isa::SlotInstruction>> code;
     const auto put = [&](const std::vector<Move>& moves) {
+      const Move* before = nullptr;
       for (const Move& move : moves) {
         isa::SlotInstruction one;
         one.opcode = isa::Opcode::Mv;
@@ -56,7 +57,16 @@ class VerilatedRig final : public Rig {
         one.source = move.constant ? move.value : static_cast<std::uint16_t>(move.from);
         one.rd = static_cast<std::uint16_t>(move.to);
         one.always = true;
-        code.push_back(one);
+        const bool beside = program.packed && kSlots > 1 && before != nullptr &&
+                            before->to != move.to && (move.constant || move.from != before->to);
+        if (beside) {
+          code.back() = {code.back().front(), one};
+          before = nullptr;
+          continue;
+        }
+        const bool second = kSlots > 1 && !program.packed && code.size() % 2 != 0;
+        code.push_back(second ? std::vector{isa::SlotInstruction{}, one} : std::vector{one});
+        before = &move;
       }
     };
     put(program.ladder);
@@ -222,6 +232,8 @@ class VerilatedRig final : public Rig {
   void send(const Event& event) override { events_.push_back({event, false, 0}); }
 
  private:
+  static constexpr int kSlots = kMpu == isa::Mpu::Mpu3 ? 2 : 1;
+
   struct Job {
     enum State { Fetching, Waiting, Held, Filling, Done } state = Fetching;
     Request request;
@@ -268,14 +280,15 @@ class VerilatedRig final : public Rig {
     dut_->flow_write_i = 0;
   }
 
-  void put_step(std::size_t at, const isa::SlotInstruction& instruction) {
-    constexpr int kSlots = kMpu == isa::Mpu::Mpu3 ? 2 : 1;
+  void put_step(std::size_t at, const std::vector<isa::SlotInstruction>& slots) {
     const int bits = isa::slot_bits(kMpu, config_);
-    const int shift = kSlots == 1 || at % 2 == 0 ? 0 : bits;
-    const std::uint64_t word = isa::encode(instruction, kMpu, config_);
     for (int chunk = 0; chunk < (kSlots * bits + 15) / 16; ++chunk) {
-      const int up = shift - 16 * chunk;
-      const std::uint64_t data = up >= 16 || up <= -64 ? 0 : up >= 0 ? word << up : word >> -up;
+      std::uint64_t data = 0;
+      for (std::size_t slot = 0; slot < slots.size(); ++slot) {
+        const std::uint64_t word = isa::encode(slots[slot], kMpu, config_);
+        const int up = static_cast<int>(slot) * bits - 16 * chunk;
+        if (up < 16 && up > -64) data |= up >= 0 ? word << up : word >> -up;
+      }
       space(0, static_cast<std::uint32_t>(at * 8) + static_cast<std::uint32_t>(chunk),
             static_cast<std::uint16_t>(data));
     }

@@ -89,6 +89,34 @@ TEST(FlowBoundSum, ARequestThatTakesLongerThanTheStepCounts) {
   EXPECT_EQ(bound.steps[2].turn, 1'000 + 10'000'015 + 10);
 }
 
+// The hardware takes them one after the other when the routine has ended.
+TEST(FlowBoundSum, StartsAndStopsCount) {
+  image::Image with = image();
+  with.flow->task_word = 7;
+  isa::SlotInstruction other;
+  other.opcode = isa::Opcode::Mv;
+  other.rd = 6;
+  isa::SlotInstruction command = other;
+  command.rd = 7;
+  isa::SlotInstruction test;
+  test.opcode = isa::Opcode::Set;
+  with.steps = {{other, command}, {command, command}, {test, other}};
+  with.flow->steps[0].end = 2;
+  with.flow->steps[1].entry = 2;
+  with.flow->steps[1].end = 3;
+  FlowClocks c = clocks();
+  c.starts = 100;
+  c.start = 5;
+  FlowBound bound = load::flow_bound(with, {}, c);
+  EXPECT_EQ(bound.steps[0].turn, 1'000 + 17 + 100 + 5 * 3);
+  EXPECT_EQ(bound.steps[1].turn, 1'000 + 23);
+  // No more than the hardware takes.
+  with.steps.assign(2, std::vector<isa::SlotInstruction>(2 * flow::flow_task_commands, command));
+  with.steps.push_back({other});
+  bound = load::flow_bound(with, {}, c);
+  EXPECT_EQ(bound.steps[0].turn, 1'000 + 17 + 100 + 5 * flow::flow_task_commands);
+}
+
 TEST(FlowBoundSum, RoundAndResponse) {
   Phases phases;
   phases.latch = 11;

@@ -115,9 +115,9 @@ def rung_design(mpu: int, board: Board) -> Design:
 def plc_design(board: Board) -> Design:
     """The controller in a board top of its own."""
     hdl = tools.ROOT / "hdl"
-    folders = [hdl, hdl / "core", hdl / "peripherals", hdl / "controller"]
+    folders = [hdl, hdl / "core", hdl / "peripherals", hdl / "controller", hdl / "flow"]
     sources = [source for folder in folders for source in sorted(folder.glob("*.v"))]
     sources += sorted((hdl / "controller" / "micro").glob("*.v")) + [
         hdl / "boards" / f"{name}.v" for name in ("power_on_reset", "ladder_ports", board.name)]
-    return Design(board.name, board.name, tuple(sources), (tools.GENERATED, hdl / "core"), (), board,
-                  kind="bit")
+    return Design(board.name, board.name, tuple(sources),
+                  (tools.GENERATED, hdl / "core", hdl / "flow"), (), board, kind="bit")

@@ -4,7 +4,7 @@ add_library(rung_plc_board_model STATIC)
 target_compile_options(rung_plc_board_model PRIVATE -O2 -w)
 verilate(rung_plc_board_model
   SOURCES ${RUNG_ROOT}/hdl/boards/plc_hx8k.v ${RUNG_ROOT}/hdl/boards/power_on_reset.v ${controller_sources}
-  INCLUDE_DIRS ${RUNG_GENERATED} ${RUNG_ROOT}/hdl/core ${RUNG_ROOT}/hdl/controller
+  INCLUDE_DIRS ${RUNG_GENERATED} ${RUNG_ROOT}/hdl/core ${RUNG_ROOT}/hdl/controller ${RUNG_ROOT}/hdl/flow
   TOP_MODULE plc_hx8k
   PREFIX Vplc_hx8k
   VERILATOR_ARGS -Wall -O3 --x-initial unique --noassert)

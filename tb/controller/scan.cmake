@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # unit_scan: all of the controller but its micro-sequencer and UART, driven through its bus, and its time base.
 file(GLOB scan_sources CONFIGURE_DEPENDS
-     ${RUNG_ROOT}/hdl/controller/*.v ${RUNG_ROOT}/hdl/core/*.v ${RUNG_ROOT}/hdl/peripherals/*.v
-     ${RUNG_ROOT}/hdl/*.v ${RUNG_ROOT}/hdl/boards/ladder_ports.v)
+     ${RUNG_ROOT}/hdl/controller/*.v ${RUNG_ROOT}/hdl/flow/*.v ${RUNG_ROOT}/hdl/core/*.v
+     ${RUNG_ROOT}/hdl/peripherals/*.v ${RUNG_ROOT}/hdl/*.v ${RUNG_ROOT}/hdl/boards/ladder_ports.v)
 list(FILTER scan_sources EXCLUDE REGEX "controller/controller(_core)?\\.v$")
 
 add_library(rung_scan_models STATIC)
@@ -10,7 +10,7 @@ target_compile_options(rung_scan_models PRIVATE -O2 -w)
 # RUNG_RETIRE: the complement in a RAM word that is read and written in the same clock.
 verilate(rung_scan_models
   SOURCES ${scan_sources}
-  INCLUDE_DIRS ${RUNG_GENERATED} ${RUNG_ROOT}/hdl/core
+  INCLUDE_DIRS ${RUNG_GENERATED} ${RUNG_ROOT}/hdl/core ${RUNG_ROOT}/hdl/flow
   TOP_MODULE controller_bus
   PREFIX Vcontroller_bus
   VERILATOR_ARGS -Wall -Wno-PINMISSING -O3 --x-initial unique -DRUNG_RETIRE -GCLOCKS_PER_MS=40)

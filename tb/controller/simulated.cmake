@@ -4,7 +4,7 @@
 set(RUNG_CLOCKS_PER_MS 250)  # of a simulated millisecond
 file(GLOB controller_sources CONFIGURE_DEPENDS
   ${RUNG_ROOT}/hdl/controller/*.v ${RUNG_ROOT}/hdl/controller/micro/*.v
-  ${RUNG_ROOT}/hdl/core/*.v ${RUNG_ROOT}/hdl/peripherals/*.v ${RUNG_ROOT}/hdl/*.v)
+  ${RUNG_ROOT}/hdl/flow/*.v ${RUNG_ROOT}/hdl/core/*.v ${RUNG_ROOT}/hdl/peripherals/*.v ${RUNG_ROOT}/hdl/*.v)
 list(APPEND controller_sources ${RUNG_ROOT}/hdl/boards/ladder_ports.v)
 
 add_library(rung_controller_models STATIC)
@@ -26,7 +26,7 @@ foreach(board simulated:0:${RUNG_CLOCKS_PER_MS} hx8k:2:${RUNG_CLOCKS_PER_MS}
   endif()
   verilate(rung_controller_models
     SOURCES ${CMAKE_CURRENT_SOURCE_DIR}/simulated_controller.v ${model_sources}
-    INCLUDE_DIRS ${RUNG_GENERATED} ${RUNG_ROOT}/hdl/core ${RUNG_ROOT}/hdl/controller
+    INCLUDE_DIRS ${RUNG_GENERATED} ${RUNG_ROOT}/hdl/core ${RUNG_ROOT}/hdl/controller ${RUNG_ROOT}/hdl/flow
     TOP_MODULE simulated_controller
     PREFIX Vcontroller_${name}
     VERILATOR_ARGS -Wall -O3 --x-initial unique --x-assign fast --noassert

@@ -43,6 +43,7 @@ io::Subject subject_of(const Input& input, const Options& options) {
   subject.file = input.flow->file;
   subject.dialect = input.flow->dialect;
   subject.config = config;
+  subject.flow = true;
   for (const Device device : visible_devices(*input.flow)) {
     const auto& comments = input.flow->ladder.comments;
     const auto comment = comments.find(device);

@@ -208,7 +208,7 @@ std::string to_bytes(const Image& image) {
   const std::vector<std::uint8_t> cbor = json::to_cbor(to_json(image));
   const std::string payload(cbor.begin(), cbor.end());
   std::string bytes(kMagic);
-  bytes += static_cast<char>(kFormatVersion);
+  bytes += static_cast<char>(image.flow ? kFlowVersion : kPlainVersion);
   bytes += little_endian(static_cast<std::uint32_t>(payload.size()));
   bytes += little_endian(checksum(payload));
   return bytes + payload;
@@ -223,9 +223,10 @@ std::optional<Image> from_bytes(std::string_view bytes, const std::string& file,
   if (!is_image(bytes)) return refuse("this is not an image");
   if (bytes.size() < kHeader) return refuse("the image is cut short: its header is not whole");
   const auto version = static_cast<std::uint8_t>(bytes[kMagic.size()]);
-  if (version != kFormatVersion) {
-    return refuse(fmt::format("the image has format version {}; this program reads version {}",
-                              version, kFormatVersion));
+  if (version != kFlowVersion && version != kPlainVersion) {
+    return refuse(
+        fmt::format("the image has format version {}; this program reads versions {} and {}",
+                    version, kPlainVersion, kFlowVersion));
   }
   const std::uint32_t length = little_endian(bytes.substr(kMagic.size() + 1, 4));
   const std::uint32_t crc = little_endian(bytes.substr(kMagic.size() + 5, 4));
@@ -236,7 +237,9 @@ std::optional<Image> from_bytes(std::string_view bytes, const std::string& file,
   }
   if (checksum(payload) != crc) return refuse("the image is damaged: its CRC does not match");
   try {
-    return from_json(json::from_cbor(payload.begin(), payload.end()));
+    Image image = from_json(json::from_cbor(payload.begin(), payload.end()));
+    require(image.flow.has_value() == (version == kFlowVersion), "flow tasks and the version");
+    return image;
   } catch (const std::exception& problem) {
     return refuse(fmt::format("the image holds what this program cannot use: {}", problem.what()));
   }

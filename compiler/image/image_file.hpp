@@ -11,7 +11,9 @@
 
 namespace rung::image {
 
-inline constexpr std::uint8_t kFormatVersion = 5;
+// Of an image with flow tasks, and of one without, which a compiler that knows of no flow tasks
+// reads too.
+inline constexpr std::uint8_t kFlowVersion = 5, kPlainVersion = 4;
 
 // True if `bytes` begin like an image, whole or damaged.
 bool is_image(std::string_view bytes);

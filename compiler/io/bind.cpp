@@ -34,6 +34,7 @@ class Binder {
     check_channels();
     check_ports();
     check_outputs();
+    check_flow();
     out_.latched =
         map_.latched ? latched_of(map_, subject_, diagnostics_) : latched_by_default(subject_);
     return std::move(out_);
@@ -237,6 +238,19 @@ class Binder {
     if (names.empty()) return;
     warn({}, fmt::format("outputs of the program without a pin: {}", fmt::join(names, ", ")),
          "bind them under [outputs], if they are to be seen");
+  }
+
+  void check_flow() {
+    if (map_.flow_position && !subject_.flow) {
+      warn(*map_.flow_position, "flow: the program has no flow tasks; these settings have no use",
+           "take the table out, if no other program has this map");
+    }
+    if (subject_.flow && !map_.settings.flow.suspension) {
+      warn(map_.suspend_position.value_or(SourcePosition{}),
+           "suspend: steps wait for their data in their place, and all others with them; the time "
+           "of these waits is in none of the bounds",
+           "write suspend = true, unless this is what is to be seen");
+    }
   }
 
   const Map& map_;

@@ -20,7 +20,7 @@ namespace rung::io {
 enum class Safe : std::uint8_t { Low, High, Hold };
 enum class Parity : std::uint8_t { None, Odd, Even };
 
-// Of programs with flow tasks.
+// Of programs with flow tasks: the table [flow].
 struct FlowSettings {
   int link_timeout_ms = 50;  // of a request to another unit
   int panel_timeout_ms = 500;
@@ -80,6 +80,8 @@ struct Map {
   std::vector<OutputLine> outputs;
   std::vector<AnalogLine> analog;
   std::vector<PwmLine> pwm;
+  // Of the table [flow] and of its `suspend`, where the file has them.
+  std::optional<SourcePosition> flow_position, suspend_position;
   std::optional<Line> uart;  // the board's UART that the ladder's is on
   SourcePosition uart_position;
   std::optional<std::vector<Line>> latched;  // "M100-M199", "D5"; nothing: the dialect's own

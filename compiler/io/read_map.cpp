@@ -19,6 +19,7 @@ using Pins = std::vector<std::string_view>;
 constexpr std::int64_t kMostUs = 100'000'000;
 constexpr std::int64_t kMostFilterUs = 1'000'000;
 constexpr int kMostFilter = 15;
+constexpr int kMostTimeoutMs = 10'000;  // of a flow task's request
 
 template <typename Value, typename Found>
 void take(Value& value, const std::optional<Found>& found) {
@@ -32,8 +33,8 @@ class MapReader {
 
   std::optional<Map> read() {
     const Fields root = fields(root_, "the map");
-    root.only(
-        {"board", "controller", "modbus", "inputs", "outputs", "analog", "pwm", "uart", "latched"});
+    root.only({"board", "controller", "modbus", "inputs", "outputs", "analog", "pwm", "uart",
+               "latched", "flow"});
     map_.file = file_;
     if (!read_board(root)) return std::nullopt;
     if (const auto* table = root.table("controller")) read_controller(*table);
@@ -46,6 +47,7 @@ class MapReader {
     each("pwm", [this](const toml::key& key, const toml::node& node) { read_pwm(key, node); });
     if (const auto* table = root.table("uart")) read_uart(*table);
     if (const auto* table = root.table("latched")) read_latched(*table);
+    if (const auto* table = root.table("flow")) read_flow(root, *table);
     return std::move(map_);
   }
 
@@ -111,16 +113,35 @@ class MapReader {
     in.only({"unit", "baud", "parity"});
     take(map_.settings.unit, in.integer("unit", 1, 247));
     take(map_.settings.baud, in.integer("baud", 9600, 921600));
-    const auto parity = in.text("parity");
-    if (!parity) return;
+    read_parity(in, "parity", map_.settings.parity);
+  }
+
+  static void read_parity(const Fields& in, std::string_view key, Parity& parity) {
+    const auto name = in.text(key);
+    if (!name) return;
     static const std::map<std::string_view, Parity> kParities = {
         {"none", Parity::None}, {"odd", Parity::Odd}, {"even", Parity::Even}};
-    const auto found = kParities.find(*parity);
+    const auto found = kParities.find(*name);
     if (found != kParities.end()) {
-      map_.settings.parity = found->second;
+      parity = found->second;
     } else {
-      in.error("parity", fmt::format("{} is no parity", shown(*parity)), "write none, odd or even");
+      in.error(key, fmt::format("{} is no parity", shown(*name)), "write none, odd or even");
     }
+  }
+
+  void read_flow(const Fields& root, const toml::table& table) {
+    const Fields in = fields(table, "[flow]");
+    in.only({"suspend", "link_timeout_ms", "panel_timeout_ms", "panel_unit", "panel_baud",
+             "panel_parity"});
+    map_.flow_position = root.position("flow");
+    if (in.has("suspend")) map_.suspend_position = in.position("suspend");
+    FlowSettings& settings = map_.settings.flow;
+    take(settings.suspension, in.flag("suspend"));
+    take(settings.link_timeout_ms, in.integer("link_timeout_ms", 1, kMostTimeoutMs));
+    take(settings.panel_timeout_ms, in.integer("panel_timeout_ms", 1, kMostTimeoutMs));
+    take(settings.panel_unit, in.integer("panel_unit", 1, 247));
+    take(settings.panel_baud, in.integer("panel_baud", 9600, 921600));
+    read_parity(in, "panel_parity", settings.panel_parity);
   }
 
   // The number of a pin by its name; `others` are pins that would be the wrong kind.

@@ -31,6 +31,7 @@ struct Subject {
   std::int64_t cycle_us = 0;  // of an LDmicro program
   bool uart = false;          // it has UART instructions
   bool pwm = false;           // it has SET PWM
+  bool flow = false;          // it has flow tasks
   // LDmicro: the pins that its IO LIST assigns, for a micro-controller of its own.
   bool own_pins = false;
 

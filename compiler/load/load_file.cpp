@@ -281,7 +281,15 @@ class Maker {
   void flow() {
     if (!image_.flow) return;
     const io::FlowSettings& settings = bindings_.settings.flow;
-    const std::int64_t step = checked_step(settings.panel_baud, "the panel's line");
+    // Of a program without a panel the line stays idle at any rate, whatever the clock can make.
+    const auto is_panel = [&](const image::FlowBoard& board) {
+      return board.panel && board.unit == image_.flow->unit;
+    };
+    const auto& boards = image_.flow->boards;
+    const std::int64_t step =
+        std::any_of(boards.begin(), boards.end(), is_panel)
+            ? checked_step(settings.panel_baud, "the panel's line")
+            : std::min(baud_step(settings.panel_baud, clock_hz_), kMostStep - 1);
     for (const SpaceWord& each : flow_words(*image_.flow, settings, step)) {
       set(each.space, each.address, each.value);
     }
@@ -385,6 +393,7 @@ io::Subject subject_of(const image::Image& image) {
   subject.uart = image.uart;
   subject.pwm = image.pwm;
   subject.own_pins = image.own_pins;
+  subject.flow = image.flow.has_value();
   return subject;
 }
 

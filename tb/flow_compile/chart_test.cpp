@@ -90,7 +90,7 @@ TEST(FlowChart, StepsShareTheirHiddenDevicesBehindTheLadders) {
   const auto ladder = hidden(0, flow.ladder_steps);
   const auto first = hidden(flow.steps[0].entry, flow.steps[0].end);
   auto second = hidden(flow.steps[1].entry, flow.steps[1].end);
-  // The bit that tells that task 0 runs is one for all of them.
+  // The bit that tells of task 0 is one for all of them.
   std::set<int> common;
   std::set_intersection(ladder.begin(), ladder.end(), second.begin(), second.end(),
                         std::inserter(common, common.end()));

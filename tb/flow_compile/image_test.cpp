@@ -128,6 +128,24 @@ TEST(FlowImageFile, AnImageWithoutFlowsHasNone) {
   EXPECT_EQ(read->length(), read->steps.size());
 }
 
+// A compiler of before flow tasks reads what has none, and refuses what it would take for a ladder.
+TEST(FlowImageFile, TheVersionTellsOfFlows) {
+  const image::Image with = image_of(example().chart);
+  image::Image without = with;
+  without.flow.reset();
+  constexpr std::size_t kVersionAt = 7;
+  std::string files[] = {image::to_bytes(without), image::to_bytes(with)};
+  EXPECT_EQ(files[0][kVersionAt], 4);
+  EXPECT_EQ(files[1][kVersionAt], 5);
+  std::swap(files[0][kVersionAt], files[1][kVersionAt]);
+  for (const std::string& file : files) {
+    Diagnostics diagnostics;
+    EXPECT_FALSE(image::from_bytes(file, "x.img", diagnostics));
+    EXPECT_EQ(diagnostics.all().at(0).what,
+              "the image holds what this program cannot use: flow tasks and the version");
+  }
+}
+
 TEST(FlowListing, ShowsRoutinesByTaskAndStep) {
   const image::Image image = image_of(example().chart);
   const std::string text = image::listing(image);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The tables of the task hardware in a load file.
+#include <fmt/format.h>
+
 #include "flow_compile/support.hpp"
 #include "load/format.hpp"
 #include "load/load_file.hpp"
@@ -105,6 +107,67 @@ TEST(FlowLoadFile, HoldsTheSettings) {
                          [](io::Settings& settings) { settings.flow.panel_baud = 50'000'000; });
   EXPECT_FALSE(fast.contents);
   EXPECT_NE(fast.problem.find("50000000 baud of the panel's line"), std::string::npos);
+}
+
+// The settings as a map says them, with what there is to say about it.
+Made with_map(const image::Image& image, const std::string& table, std::string& messages) {
+  Diagnostics diagnostics;
+  std::string text = "board = \"simulated\"\n" + table + "[outputs]\n";
+  for (int n = 0; n < 4; ++n) text += fmt::format("Y{0} = \"out{0}\"\n", n);
+  const auto map = io::parse_map(text, "m.toml", diagnostics);
+  EXPECT_TRUE(map);
+  const auto bindings = io::bind(*map, load::subject_of(image), diagnostics);
+  messages = printed(diagnostics);
+  return make(image, [&](io::Settings& settings) { settings = bindings.settings; });
+}
+
+TEST(FlowLoadFile, HoldsWhatTheMapSays) {
+  const image::Image image = image_of(example().chart);
+  std::string messages;
+  const Made made =
+      with_map(image,
+               "[flow]\nsuspend = true\nlink_timeout_ms = 10000\npanel_timeout_ms = 1\n"
+               "panel_unit = 247\npanel_baud = 921600\npanel_parity = \"odd\"\n",
+               messages);
+  EXPECT_EQ(messages, "");
+  ASSERT_TRUE(made.contents);
+  const auto setup = [](const Made& of, int number) { return of.at(space_flow_setup, number); };
+  EXPECT_EQ(setup(made, flow_setup_enable), 1);
+  EXPECT_EQ(setup(made, flow_setup_link_timeout), 10000);
+  EXPECT_EQ(setup(made, flow_setup_panel_timeout), 1);
+  EXPECT_EQ(setup(made, flow_setup_panel_unit), 247);
+  EXPECT_EQ(setup(made, flow_setup_panel_baud_low) | setup(made, flow_setup_panel_baud_high) << 16,
+            load::baud_step(921600, kHz));
+  EXPECT_EQ(setup(made, flow_setup_panel_parity), 1);
+
+  // What it does not say is as without it.
+  const Made other = with_map(image, "[flow]\npanel_unit = 7\n", messages);
+  EXPECT_EQ(messages, "");
+  Made without = make(image);
+  const std::pair key{space_flow_setup, static_cast<std::uint32_t>(flow_setup_panel_unit)};
+  without.contents->values[key] = 7;
+  for (const auto& [place, value] : without.contents->values) {
+    if (place.first == space_flow_setup) {
+      EXPECT_EQ(other.at(place.first, static_cast<int>(place.second)), value) << place.second;
+    }
+  }
+
+  const Made waiting = with_map(image, "[flow]\npanel_unit = 7\nsuspend = false\n", messages);
+  EXPECT_EQ(setup(waiting, flow_setup_enable), 3);
+  EXPECT_NE(messages.find("m.toml:4:1: warning: suspend: steps wait"), std::string::npos)
+      << messages;
+}
+
+// A clock that cannot make the panel's rate matters only where there is a panel.
+TEST(FlowLoadFile, ARateMattersOnlyWithAPanel) {
+  const auto fast = [](io::Settings& settings) { settings.flow.panel_baud = 50'000'000; };
+  ChartMaker maker("LD X0\nOUT Y0\n");
+  maker.task("t").step("LD X1\nOUT Y1\n").read(kOther, 0, 1, {DeviceKind::D, 0});
+  EXPECT_FALSE(make(image_of(maker.chart), fast).contents);
+  maker.chart.boards[kPanel].panel = false;
+  const Made without = make(image_of(maker.chart), fast);
+  ASSERT_TRUE(without.contents) << without.problem;
+  EXPECT_EQ(without.at(space_flow_setup, flow_setup_panel_baud_high), 0xF);  // 4 bits
 }
 
 TEST(FlowLoadFile, OfAProgramWithoutFlowsHasNoneOfIt) {

@@ -23,11 +23,12 @@ inline std::string printed(const Diagnostics& diagnostics) {
 
 // In the lists of these tests, what no program names has names: D7000 the next step, D7001 the task
 // command, D7002 the status, D7003 milliseconds, D7004 tenths, D7100 + n the begin of task n's
-// wait, D7200 + n scratch, M7600 + n whether task n runs.
+// wait, D7200 + n scratch, M7600 + n whether task n is not as
+// it was at the start.
 inline void name_flow_devices(Device& device) {
   const std::uint32_t n = device.number;
   if (device.kind == DeviceKind::M && n >= 7600 && n < 7680) {
-    device = flowchart::task_runs(n - 7600);
+    device = flowchart::task_turned(n - 7600);
   } else if (device.kind == DeviceKind::D && n >= 7000 && n < 7100) {
     device = {DeviceKind::HW, flowchart::kFirstFlowWord + (n - 7000)};
   } else if (device.kind == DeviceKind::D && n >= 7100 && n < 7200) {

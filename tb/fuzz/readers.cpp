@@ -171,9 +171,9 @@ void read_shown(std::string_view bytes) {
 }
 
 // A whole image file whose contents are `payload`: else the checksum would keep all others out.
-std::string wrapped(std::string_view payload) {
+std::string wrapped(std::string_view payload, std::uint8_t version) {
   std::string file = "RUNGIMG";
-  file += static_cast<char>(image::kFormatVersion);
+  file += static_cast<char>(version);
   const auto add = [&](std::uint32_t value) {
     for (int i = 0; i < 4; ++i) file += static_cast<char>(value >> (8 * i) & 0xFFU);
   };
@@ -197,7 +197,8 @@ void read_image_file(std::string_view bytes) {
 
 void read_image(std::string_view bytes) {
   read_image_file(bytes);
-  read_image_file(wrapped(bytes));
+  read_image_file(wrapped(bytes, image::kPlainVersion));
+  read_image_file(wrapped(bytes, image::kFlowVersion));
 }
 
 // A map as it is, then bound to a list; of what is refused each line says why.

@@ -198,6 +198,30 @@ constexpr BadMap kBadMaps[] = {
      "to 921600"},
     {"board = \"ulx3s\"\n[modbus]\nparity = \"mark\"\n",
      "m.toml:3:1: error: parity: mark is no parity"},
+    {"board = \"ulx3s\"\n[flow]\nsuspend = 1\n",
+     "m.toml:3:1: error: suspend: this is neither true nor false"},
+    {"board = \"ulx3s\"\n[flow]\nlink_timeout_ms = 0\n",
+     "m.toml:3:1: error: link_timeout_ms: this is no whole number in its range\n    write a number "
+     "from 1 to 10000"},
+    {"board = \"ulx3s\"\n[flow]\nlink_timeout_ms = 0.5\n",
+     "m.toml:3:1: error: link_timeout_ms: this is no whole number in its range"},
+    {"board = \"ulx3s\"\n[flow]\npanel_timeout_ms = 10001\n",
+     "m.toml:3:1: error: panel_timeout_ms: this is no whole number in its range\n    write a "
+     "number "
+     "from 1 to 10000"},
+    {"board = \"ulx3s\"\n[flow]\npanel_unit = 248\n",
+     "m.toml:3:1: error: panel_unit: this is no whole number in its range\n    write a number from "
+     "1 to 247"},
+    {"board = \"ulx3s\"\n[flow]\npanel_baud = 4800\n",
+     "m.toml:3:1: error: panel_baud: this is no whole number in its range\n    write a number from "
+     "9600 to 921600"},
+    {"board = \"ulx3s\"\n[flow]\npanel_parity = \"mark\"\n",
+     "m.toml:3:1: error: panel_parity: mark is no parity\n    write none, odd or even"},
+    {"board = \"ulx3s\"\n[flow]\npanel_baut = 9600\n",
+     "m.toml:3:1: error: panel_baut: [flow] does not have this key\n    did you mean panel_baud?"},
+    {"board = \"ulx3s\"\nflow = true\n", "m.toml:2:1: error: flow: this is no table"},
+    {"board = \"ulx3s\"\n[flow]\n",
+     "m.toml:2:2: warning: flow: the program has no flow tasks; these settings have no use"},
     {"board = \"ulx3s\"\n[controller]\nwatchdog_ms = 0.05\n",
      "m.toml:3:1: error: the watchdog, 0.05 ms, is not above a scan"},
     {"board = \"ulx3s\"\n[controller]\nperiod_ms = 0.05\n",

@@ -132,9 +132,11 @@ TEST_F(CliFlow, RunOnTheReference) {
   EXPECT_EQ(trace[5]["writes"], json::parse(R"([["M0",1],["Y1",1]])"));
   EXPECT_EQ(trace[5]["out"], json::parse(R"({"Y1":1})"));
   EXPECT_EQ(trace[6]["writes"], json::parse(R"([["Y0",1],["D0",4],["Y1",1]])"));
-  // Everything that the program names, with the words of its transfers.
-  EXPECT_EQ(trace[8]["state"],
-            json::parse(R"({"X0":1,"X1":1,"Y0":1,"Y1":1,"M0":1,"D0":4,"D10":0,"D11":0})"));
+  // Everything that the program names, with the words of its transfers, and the relay that is
+  // always on, which its steps need.
+  EXPECT_EQ(
+      trace[8]["state"],
+      json::parse(R"({"X0":1,"X1":1,"Y0":1,"Y1":1,"M0":1,"D0":4,"D10":0,"D11":0,"M8000":1})"));
 }
 
 TEST_F(CliFlow, RunWithoutAStimulus) {

@@ -203,12 +203,13 @@ module link_dispatch (
   wire to_pool = !own_q && class_q[1];
   wire to_lane = !to_pool;
   wire [4:0] word_index = index_q[4:0];
+  wire out_done = index_q == HEAD_BYTES;  // the head has been turned once round
   wire last_word = index_q[5:0] + 6'd1 == head_count;
   wire [7:0] ring_data = side_q ? lower_data_i : upper_data_i;
   wire nobody = state_q == TABLE && index_q[1:0] == 2'd1 && table_data_i[15];
   wire finished = state_q == FINISH;
   // Lane of the frame: replies or requests; side: own frames' or across.
-  wire lane_request = !(head_type == READ_REPLY || head_type == WRITE_REPLY);
+  wire lane_request = own_q ? !block_event : !class_q[0];
   wire lane_side = own_q ? side_q : !side_q;
 
   always @(posedge clk_i) begin
@@ -282,7 +283,7 @@ module link_dispatch (
         end
         OUT: begin
           index_q <= index_q + 7'd1;
-          if (index_q + 7'd1 == HEAD_BYTES) begin
+          if (out_done) begin
             index_q <= 7'd0;
             state_q <= has_words ? FETCH : FINISH;
           end
@@ -320,7 +321,7 @@ module link_dispatch (
   always @(posedge clk_i) begin
     case (state_q)
       HEAD: if (index_q != 7'd0) head_q <= {head_q[55:0], ring_data};
-      OUT:  head_q <= {head_q[55:0], head_q[63:56]};
+      OUT:  if (!out_done) head_q <= {head_q[55:0], head_q[63:56]};
       TABLE:
       case (index_q[1:0])
         2'd1: begin
@@ -389,7 +390,8 @@ module link_dispatch (
       HEAD_BYTES + {1'b0, word_index, state_q == FETCH_LOW};
   assign ring_free_o = {2{finished && !own_q}} & {side_q, !side_q};
 
-  assign lane_write_o = state_q == OUT || (to_lane && (state_q == PUT || state_q == PUT_LOW));
+  assign lane_write_o = (state_q == OUT && !out_done) ||
+      (to_lane && (state_q == PUT || state_q == PUT_LOW));
   assign lane_addr_o = {lane_side, lane_request, state_q == OUT ? index_q :
       HEAD_BYTES + {1'b0, word_index, state_q == PUT_LOW}};
   assign lane_data_o = state_q == OUT ? head_q[63:56] :

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Units in a chain, 1 the upper end, and the lines between them, which can be cut, inverted and disturbed. Each unit
-// has a clock a little different from the others': some are left out.
+// Units in a chain, 1 the upper end, and the lines between them, which can be cut, inverted and
+// disturbed. Each unit has a clock a little different from the others': some are left out.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -128,12 +128,27 @@ class LinkChain {
     for (const auto& u : units) u->hold(false);
   }
 
-  // Sum of a counter of both sides of all units.
-  template <typename Field>
-  std::uint64_t sum(Field upper, Field lower) {
+  // Sum over all units of what `counter` gives.
+  template <typename Counter>
+  std::uint64_t sum(Counter counter) {
     std::uint64_t all = 0;
-    for (const auto& u : units) all += (u->operator->()->*upper) + (u->operator->()->*lower);
+    for (const auto& u : units) all += static_cast<std::uint64_t>(counter(*u));
     return all;
+  }
+  std::uint64_t bad() {
+    return sum([](auto& u) { return u->upper_bad_o + u->lower_bad_o; });
+  }
+  std::uint64_t full() {
+    return sum([](auto& u) { return u->upper_full_o + u->lower_full_o; });
+  }
+  std::uint64_t again() {
+    return sum([](auto& u) { return u->upper_again_o + u->lower_again_o; });
+  }
+  std::uint64_t lost() {
+    return sum([](auto& u) { return u->upper_lost_o + u->lower_lost_o; });
+  }
+  std::uint64_t late() {
+    return sum([](auto& u) { return u->late_o; });
   }
 
  private:
@@ -153,7 +168,8 @@ class LinkChain {
         line.disturb(Line::Fault::low, world.now + bit * (1 + world.pick(300)));
         break;
       case 2:
-        line.disturb(Line::Fault::high, world.now + bit * (1 + world.pick(world.once_in(4) ? 6000 : 300)));
+        line.disturb(Line::Fault::high,
+                     world.now + bit * (1 + world.pick(world.once_in(4) ? 6000 : 300)));
         break;
       default:
         line.disturb(Line::Fault::invert, world.now + 1 + world.pick(2 * bit));

@@ -52,7 +52,7 @@ class LinkChain {
  public:
   struct Options {
     int units = 2;
-    int divisor = 4;
+    int divisor = 6;
     std::uint64_t clocks_per_ms = 2000;
     int timeout_ms = 100;
   };

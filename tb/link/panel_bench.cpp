@@ -180,6 +180,10 @@ PanelBench::PanelBench(int seed, double clocks_per_bit, Parity parity, int timeo
 }
 
 std::size_t PanelBench::ask(bool write, unsigned first, unsigned count) {
+  if (!room()) {
+    ADD_FAILURE() << "no block";
+    return asked_.size() - 1;
+  }
   Asked asked;
   std::vector<bool> used(kBlocks);
   for (const std::size_t other : outstanding_) {
@@ -217,6 +221,7 @@ void PanelBench::before_edge() {
     dut_->panel_req_first_i = static_cast<std::uint16_t>(asked.first);
     dut_->panel_req_count_i = static_cast<std::uint8_t>(asked.count);
   }
+  dut_->clk_i = 0;
   dut_->eval();
 }
 
@@ -258,7 +263,8 @@ void PanelBench::clock() {
       outstanding_.pop_front();
     }
   }
-  dut_.tick();
+  dut_->clk_i = 1;
+  dut_->eval();
   if (rdata) dut_->mem_rdata_i = *rdata;
   ++now_;
   server.sample(now_, dut_->tx_o != 0);

@@ -122,8 +122,11 @@ module link_dispatch (
   reg [63:0] head_q;
   reg [15:0] word_q;
   reg drop_q;  // the record is good for nothing
-  reg [3:0] turn_q;  // buffers whose next frame is an own one, if there is one
-  reg [3:0] seen_q;  // were free when the look at the table began
+  // Buffers whose next frame is an own one, or one that goes through, if there is one: if a look at all blocks, or
+  // all jobs, that began with the buffer free has not found one, the other kind may go again.
+  reg [3:0] own_next_q;
+  reg [3:0] through_next_q;
+  reg [3:0] seen_q;  // were free when the look began
   reg done_valid_q;
   reg [4:0] done_block_q;
   reg [7:0] done_status_q;
@@ -171,7 +174,8 @@ module link_dispatch (
   end
 
   wire job_side = job_q[0];
-  wire [3:0] through_free = lane_free_i & ~turn_q;
+  wire [3:0] through_free = lane_free_i & ~own_next_q;
+  wire [3:0] own_free = lane_free_i & ~through_next_q;
   wire [1:0] other_side = job_side ? through_free[1:0] : through_free[3:2];
   reg job_room;
   always @(*) begin
@@ -186,7 +190,7 @@ module link_dispatch (
 
   // Blocks of event commands have replies, the others requests.
   wire block_event = block_q[4:3] == 2'b10;
-  wire [1:0] own_side = table_lower_i ? lane_free_i[3:2] : lane_free_i[1:0];
+  wire [1:0] own_side = table_lower_i ? own_free[3:2] : own_free[1:0];
   wire own_go = table_queued_i && (block_event ? own_side[0] :
       own_side[1] && !down_i[table_lower_i]);
   wire expired = state_q == DEADLINE && overdue && !done_valid_q;
@@ -217,7 +221,8 @@ module link_dispatch (
       state_q <= JOBS;
       job_q   <= 3'd0;
       block_q <= 5'd0;
-      turn_q  <= 4'd0;
+      own_next_q <= 4'd0;
+      through_next_q <= 4'd0;
     end else begin
       case (state_q)
         JOBS: begin
@@ -230,7 +235,8 @@ module link_dispatch (
           left_q  <= LAST_BLOCK;
           if (job_go) state_q <= HEAD;
           else if (job_q == 3'd7) state_q <= SCAN;
-          if (job_q == 3'd7) seen_q <= lane_free_i;
+          if (job_q == 3'd0 || job_q == 3'd7) seen_q <= lane_free_i;
+          if (job_q == 3'd7) through_next_q <= through_next_q & ~seen_q;
         end
         SCAN: begin
           own_q  <= 1'b1;
@@ -244,7 +250,7 @@ module link_dispatch (
             left_q  <= left_q - 5'd1;
             if (left_q == 5'd0) state_q <= JOBS;
           end
-          if (left_q == 5'd0) turn_q <= turn_q & ~seen_q;
+          if (left_q == 5'd0) own_next_q <= own_next_q & ~seen_q;
         end
         DEADLINE: begin
           if (!expired && own_go) begin
@@ -311,7 +317,10 @@ module link_dispatch (
         if (finished) begin
           state_q <= JOBS;
           if (own_q) block_q <= next_block;
-          if (to_lane) turn_q[{lane_side, lane_request}] <= !own_q;
+          if (to_lane) begin
+            own_next_q[{lane_side, lane_request}] <= !own_q;
+            through_next_q[{lane_side, lane_request}] <= own_q;
+          end
         end
       endcase
     end

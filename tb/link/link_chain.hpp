@@ -62,6 +62,8 @@ class LinkChain {
     }
     down.resize(units.size());
     up.resize(units.size());
+    down_levels_.assign(units.size() + 1, 1);  // idle at the ends
+    up_levels_.assign(units.size() + 1, 1);
   }
 
   World& world;
@@ -74,17 +76,15 @@ class LinkChain {
 
   void step() {
     const std::size_t n = units.size();
-    down_levels_.assign(n + 1, true);
-    up_levels_.assign(n + 1, true);
     for (std::size_t i = 0; i + 1 < n; ++i) {
-      down_levels_[i + 1] = down[i].through(units[i]->lower_tx(), world);
-      up_levels_[i + 1] = up[i].through(units[i + 1]->upper_tx(), world);
+      down_levels_[i + 1] = down[i].through(units[i]->lower_tx(), world) ? 1 : 0;
+      up_levels_[i + 1] = up[i].through(units[i + 1]->upper_tx(), world) ? 1 : 0;
     }
     const bool millisecond = world.now % options.clocks_per_ms == 0;
     for (std::size_t i = 0; i < n; ++i) {
       // Some hundred parts in a million slower than the first.
       if (i != 0 && !millisecond && world.now % (4001 - 500 * i) == 7 * i) continue;
-      units[i]->clock(down_levels_[i], up_levels_[i + 1], millisecond);
+      units[i]->clock(down_levels_[i] != 0, up_levels_[i + 1] != 0, millisecond);
     }
     ++world.now;
   }
@@ -176,7 +176,7 @@ class LinkChain {
     }
   }
 
-  std::vector<bool> down_levels_, up_levels_;
+  std::vector<std::uint8_t> down_levels_, up_levels_;
 };
 
 }  // namespace rung::tb

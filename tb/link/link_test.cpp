@@ -30,7 +30,7 @@ TEST(Link, LatencyInBitTimes) {
   for (const Case& c : {Case{2, false, 1}, Case{2, false, 32}, Case{2, true, 32}, Case{4, false, 1},
                         Case{4, false, 32}, Case{4, true, 32}}) {
     std::uint64_t most = 0;
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < 2; ++i) {
       chain.steps(16 * 100 + world.pick(1000));
       most = std::max(most, chain.alone(1, c.to, c.write, c.count));
     }
@@ -56,8 +56,8 @@ TEST_P(CleanLines, NothingFailsHoweverFullTheyAre) {
   World world(seed);
   LinkChain<Vlink> chain(world, {GetParam(), 6, 3000, 2000});
   for (const auto& u : chain.units) u->pace = {20000, 60000, 5, 60000, 4, true};
-  chain.traffic(250000, 300);
-  EXPECT_GT(chain.full(), 10U) << "rings never full";
+  chain.traffic(200000, 300);
+  EXPECT_GT(chain.full(), 0U) << "rings never full";
   chain.finish(1500000);
   EXPECT_EQ(world.with_status(flow::flow_status_no_reply), 0U);
   EXPECT_GT(world.asked.size(), 60U);
@@ -73,13 +73,13 @@ TEST_P(DisturbedLines, NothingIsDoubledAndLittleFails) {
   SCOPED_TRACE(replay(seed));
   World world(seed);
   LinkChain<Vlink> chain(world, {GetParam(), 6, 3000, 100});
-  chain.traffic(GetParam() == 2 ? 600000 : 400000, 3000, 8000);
+  chain.traffic(GetParam() == 2 ? 400000 : 250000, 3000, 8000);
   chain.steps(40000);  // the last fault has passed, sides that were down begin again
   const std::uint64_t gone = world.with_status(flow::flow_status_no_reply);
   chain.traffic(60000, 3000);
   chain.finish(1000000);
-  EXPECT_GT(chain.bad(), 100U);
-  EXPECT_GT(chain.again(), 50U);
+  EXPECT_GT(chain.bad(), 30U);
+  EXPECT_GT(chain.again(), 20U);
   // Lines as bad as these: some. After them: none but those that were still under way.
   EXPECT_LT(world.with_status(flow::flow_status_no_reply), world.asked.size() / 4);
   EXPECT_LT(world.with_status(flow::flow_status_no_reply) - gone, 40U);
@@ -93,11 +93,11 @@ TEST(Link, UnitsThatRestartDoNotStopTheOthersForLong) {
   const std::uint64_t seed = link_seed(31);
   SCOPED_TRACE(replay(seed));
   World world(seed);
-  LinkChain<Vlink> chain(world, {4, 6, 3000, 100});
-  chain.traffic(300000, 3000, 40000, 40000);
+  LinkChain<Vlink> chain(world, {4, 6, 3000, 50});
+  chain.traffic(250000, 3000, 40000, 30000);
   chain.steps(40000);
   const std::size_t before = world.asked.size();
-  chain.steps(250000);  // what was lost is complete
+  chain.steps(120000);  // what was lost is complete
   chain.traffic(60000, 3000);
   chain.finish(1000000);
   for (std::size_t id = before; id < world.asked.size(); ++id) {
@@ -122,12 +122,12 @@ TEST_P(DeadUnit, CostsItsPartnersTheirTimeoutsAndNobodyElseAnything) {
   chain.unit(dead).hold(true);
   const std::size_t from = world.asked.size();
   const std::uint64_t dead_at = world.now;
-  const std::uint64_t end = world.now + 400000;
+  const std::uint64_t end = world.now + 250000;
   while (world.now < end) {
     for (int n = 1; n < dead; ++n) {
-      // As many as it may to the dead one, up to ten, so that blocks are left for the others.
+      // Four at a time to the dead one, so that its timeouts, not the lines, are what counts.
       LinkUnit<Vlink>& u = chain.unit(n);
-      if (u.blocks_free() > 7 && world.once_in(500))
+      if (u.blocks_free() > 13 && world.once_in(500))
         u.ask(dead, world.once_in(2), 1 + static_cast<int>(world.pick(32)));
       if (world.once_in(6000)) u.ask(n == 1 ? 2 : n - 1, world.once_in(2), 4);
     }
@@ -149,11 +149,11 @@ TEST_P(DeadUnit, CostsItsPartnersTheirTimeoutsAndNobodyElseAnything) {
       most = std::max(most, took);
     }
   }
-  EXPECT_GT(to_dead, 50U);
+  EXPECT_GT(to_dead, 20U);
   std::cout << to_dead << " requests to the dead unit; the others' slowest took " << at_first / 6
             << " bit times until that was found, then " << slowest / 6 << '\n';
-  EXPECT_LT(at_first / 6, 15000U);
-  EXPECT_LT(slowest / 6, 8000U);
+  EXPECT_LT(at_first / 6, 12000U);
+  EXPECT_LT(slowest / 6, 5000U);
   // And it comes back.
   chain.unit(dead).hold(false);
   chain.steps(40000);
@@ -189,10 +189,10 @@ TEST(Link, AUnitWhoseSchedulerHangsStillLetsOthersThrough) {
   chain.unit(2).pace.serves = false;
   std::size_t through = 0;
   std::size_t first_timeout = 0;
-  for (int i = 0; i < 60; ++i) {
-    while (chain.unit(1).blocks_free() > 4) chain.unit(1).ask(2, true, 32);
+  for (int i = 0; i < 48; ++i) {
+    while (chain.unit(1).blocks_free() > 4) chain.unit(1).ask(2, true, 4);
     chain.steps(4000);
-    if (i == 12) first_timeout = world.asked.size();
+    if (i == 24) first_timeout = world.asked.size();
     if (i % 4 == 0) {
       chain.unit(1).ask(3, true, 5);
       chain.unit(3).ask(1, false, 5);
@@ -206,7 +206,7 @@ TEST(Link, AUnitWhoseSchedulerHangsStillLetsOthersThrough) {
     EXPECT_NE(a.status, flow::flow_status_no_reply) << id;
     ++through;
   }
-  EXPECT_GT(through, 20U);
+  EXPECT_GT(through, 8U);
   EXPECT_GT(chain.unit(2)->late_o, 20);  // commands that it dropped
   chain.alone(1, 2, false, 7);
 }
@@ -219,10 +219,10 @@ TEST(Link, LateAnswersAreCountedAndNobodysAnyMore) {
   // Half of the commands take longer than the timeout, so that answers meet later requests of the
   // same block.
   for (const auto& u : chain.units) u->pace = {10, 300, 2, 11000, 4, true};
-  chain.traffic(500000, 800);
+  chain.traffic(250000, 800);
   chain.finish(100000);
   chain.steps(40000);
-  EXPECT_GT(chain.late(), 100U);
+  EXPECT_GT(chain.late(), 40U);
   std::size_t executed = 0;
   for (const Asked& a : world.asked) {
     executed += a.executions != 0 && a.status == flow::flow_status_no_reply ? 1 : 0;

@@ -9,7 +9,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -48,7 +47,13 @@ class World {
     return asked.size() - 1;
   }
   // One of n numbers from 0 on; true once in n times.
-  std::uint64_t pick(std::uint64_t n) { return random_() % n; }
+  // SplitMix64: some draws are needed in every clock.
+  std::uint64_t pick(std::uint64_t n) {
+    std::uint64_t x = random_ += 0x9e3779b97f4a7c15ULL;
+    x = (x ^ x >> 30) * 0xbf58476d1ce4e5b9ULL;
+    x = (x ^ x >> 27) * 0x94d049bb133111ebULL;
+    return ((x ^ x >> 31) >> 32) * n >> 32;
+  }
   bool once_in(std::uint64_t n) { return n != 0 && pick(n) == 0; }
 
   static std::uint16_t word(std::size_t id, int index) {
@@ -103,7 +108,7 @@ class World {
   }
 
  private:
-  std::mt19937_64 random_;
+  std::uint64_t random_;
 };
 
 // RUNG_LINK_SEED, else `otherwise`.

@@ -110,6 +110,7 @@ module link_dispatch (
   localparam [3:0] PUT_LOW = 4'd11;
   localparam [3:0] FINISH = 4'd12;
   localparam [3:0] HEAD_DONE = 4'd13;
+  localparam [3:0] COMPARE = 4'd14;  // block_q's deadline, which comes late in the clock
 
   reg [3:0] state_q;
   reg [2:0] job_q;
@@ -148,10 +149,11 @@ module link_dispatch (
   reg stalled_q;
   wire event_room = event_block_valid_i && !event_valid_q && !event_was_q;
   // A value of now_q in the last 2^15 ms has passed.
-  wire overdue = ((now_q - table_data_i) & 16'h8000) == 16'd0;
+  reg overdue_q;  // in state DEADLINE
   wire stall_over = ((now_q - stall_q) & 16'h8000) == 16'd0;
 
   always @(posedge clk_i) begin
+    overdue_q <= ((now_q - table_data_i) & 16'h8000) == 16'd0;
     if (!rst_ni) now_q <= 16'd0;
     else if (millisecond_i) now_q <= now_q + 16'd1;
     // A begun millisecond does not count.
@@ -193,7 +195,7 @@ module link_dispatch (
   wire [1:0] own_side = table_lower_i ? own_free[3:2] : own_free[1:0];
   wire own_go = table_queued_i && (block_event ? own_side[0] :
       own_side[1] && !down_i[table_lower_i]);
-  wire expired = state_q == DEADLINE && overdue && !done_valid_q;
+  wire expired = state_q == DEADLINE && overdue_q && !done_valid_q;
   wire [4:0] next_block = block_q == LAST_BLOCK ? 5'd0 : block_q + 5'd1;
 
   // ---- a reply and its request ----
@@ -242,7 +244,7 @@ module link_dispatch (
           own_q  <= 1'b1;
           side_q <= table_lower_i;
           if (table_open_i) begin
-            state_q <= DEADLINE;
+            state_q <= COMPARE;
           end else if (own_go) begin
             state_q <= TABLE;
           end else begin
@@ -252,6 +254,7 @@ module link_dispatch (
           end
           if (left_q == 5'd0) own_next_q <= own_next_q & ~seen_q;
         end
+        COMPARE: state_q <= DEADLINE;
         DEADLINE: begin
           if (!expired && own_go) begin
             state_q <= TABLE;
@@ -281,10 +284,10 @@ module link_dispatch (
         MATCH: begin
           index_q <= index_q + 7'd1;
           if (index_q[1:0] == 2'd1 && !match_route) drop_q <= 1'b1;
-          if (index_q[1:0] == 2'd2) begin
+          if (index_q[1:0] == 2'd2 && !match_use) drop_q <= 1'b1;
+          if (index_q[1:0] == 2'd3) begin
             index_q <= 7'd0;
-            if (!match_use) drop_q <= 1'b1;
-            state_q <= match_use && !drop_q && has_words ? FETCH : FINISH;
+            state_q <= has_words && !drop_q ? FETCH : FINISH;
           end
         end
         OUT: begin

@@ -7,9 +7,10 @@
 // link_dispatch   moves records: through, to the pool, to the scheduler; own frames to the sides; timeouts
 //
 // unit_i 0: no unit of a link; both sides are held in reset, requests run into their timeouts. DIVISOR: clocks a bit,
-// 4 and more, the same for all units. timeout_ms_i up to 32767; a request's may be a millisecond longer, and a frame's
+// 6 and more, the same for all units. timeout_ms_i up to 32767; a request's may be a millisecond longer, and a frame's
 // time. done_ready_i and mem_ready_i have to come soon: what waits for them holds up the rest.
-// Four block RAMs of 16 kbit: the rings, the buffers to send from, the table.
+// Four block RAMs of 16 kbit: the rings, the buffers to send from, the table. ECP5: some 2,100 LUTs with carry chains and
+// LUT memory, 80 MHz at speed grade 6.
 `default_nettype none
 `include "rung_flow.vh"
 

@@ -110,6 +110,7 @@ module link_dispatch (
   localparam [3:0] PUT_LOW = 4'd11;
   localparam [3:0] FINISH = 4'd12;
   localparam [3:0] HEAD_DONE = 4'd13;
+  localparam [3:0] COMPARE = 4'd14;  // block_q's deadline, which comes late in the clock
 
   reg [3:0] state_q;
   reg [2:0] job_q;
@@ -122,8 +123,11 @@ module link_dispatch (
   reg [63:0] head_q;
   reg [15:0] word_q;
   reg drop_q;  // the record is good for nothing
-  reg [3:0] turn_q;  // buffers whose next frame is an own one, if there is one
-  reg [3:0] seen_q;  // were free when the look at the table began
+  // Buffers whose next frame is an own one, or one that goes through, if there is one: if a look at all blocks, or
+  // all jobs, that began with the buffer free has not found one, the other kind may go again.
+  reg [3:0] own_next_q;
+  reg [3:0] through_next_q;
+  reg [3:0] seen_q;  // were free when the look began
   reg done_valid_q;
   reg [4:0] done_block_q;
   reg [7:0] done_status_q;
@@ -145,10 +149,11 @@ module link_dispatch (
   reg stalled_q;
   wire event_room = event_block_valid_i && !event_valid_q && !event_was_q;
   // A value of now_q in the last 2^15 ms has passed.
-  wire overdue = ((now_q - table_data_i) & 16'h8000) == 16'd0;
+  reg overdue_q;  // in state DEADLINE
   wire stall_over = ((now_q - stall_q) & 16'h8000) == 16'd0;
 
   always @(posedge clk_i) begin
+    overdue_q <= ((now_q - table_data_i) & 16'h8000) == 16'd0;
     if (!rst_ni) now_q <= 16'd0;
     else if (millisecond_i) now_q <= now_q + 16'd1;
     // A begun millisecond does not count.
@@ -171,7 +176,8 @@ module link_dispatch (
   end
 
   wire job_side = job_q[0];
-  wire [3:0] through_free = lane_free_i & ~turn_q;
+  wire [3:0] through_free = lane_free_i & ~own_next_q;
+  wire [3:0] own_free = lane_free_i & ~through_next_q;
   wire [1:0] other_side = job_side ? through_free[1:0] : through_free[3:2];
   reg job_room;
   always @(*) begin
@@ -186,10 +192,10 @@ module link_dispatch (
 
   // Blocks of event commands have replies, the others requests.
   wire block_event = block_q[4:3] == 2'b10;
-  wire [1:0] own_side = table_lower_i ? lane_free_i[3:2] : lane_free_i[1:0];
+  wire [1:0] own_side = table_lower_i ? own_free[3:2] : own_free[1:0];
   wire own_go = table_queued_i && (block_event ? own_side[0] :
       own_side[1] && !down_i[table_lower_i]);
-  wire expired = state_q == DEADLINE && overdue && !done_valid_q;
+  wire expired = state_q == DEADLINE && overdue_q && !done_valid_q;
   wire [4:0] next_block = block_q == LAST_BLOCK ? 5'd0 : block_q + 5'd1;
 
   // ---- a reply and its request ----
@@ -203,12 +209,13 @@ module link_dispatch (
   wire to_pool = !own_q && class_q[1];
   wire to_lane = !to_pool;
   wire [4:0] word_index = index_q[4:0];
+  wire out_done = index_q == HEAD_BYTES;  // the head has been turned once round
   wire last_word = index_q[5:0] + 6'd1 == head_count;
   wire [7:0] ring_data = side_q ? lower_data_i : upper_data_i;
   wire nobody = state_q == TABLE && index_q[1:0] == 2'd1 && table_data_i[15];
   wire finished = state_q == FINISH;
   // Lane of the frame: replies or requests; side: own frames' or across.
-  wire lane_request = !(head_type == READ_REPLY || head_type == WRITE_REPLY);
+  wire lane_request = own_q ? !block_event : !class_q[0];
   wire lane_side = own_q ? side_q : !side_q;
 
   always @(posedge clk_i) begin
@@ -216,7 +223,8 @@ module link_dispatch (
       state_q <= JOBS;
       job_q   <= 3'd0;
       block_q <= 5'd0;
-      turn_q  <= 4'd0;
+      own_next_q <= 4'd0;
+      through_next_q <= 4'd0;
     end else begin
       case (state_q)
         JOBS: begin
@@ -229,13 +237,14 @@ module link_dispatch (
           left_q  <= LAST_BLOCK;
           if (job_go) state_q <= HEAD;
           else if (job_q == 3'd7) state_q <= SCAN;
-          if (job_q == 3'd7) seen_q <= lane_free_i;
+          if (job_q == 3'd0 || job_q == 3'd7) seen_q <= lane_free_i;
+          if (job_q == 3'd7) through_next_q <= through_next_q & ~seen_q;
         end
         SCAN: begin
           own_q  <= 1'b1;
           side_q <= table_lower_i;
           if (table_open_i) begin
-            state_q <= DEADLINE;
+            state_q <= COMPARE;
           end else if (own_go) begin
             state_q <= TABLE;
           end else begin
@@ -243,8 +252,9 @@ module link_dispatch (
             left_q  <= left_q - 5'd1;
             if (left_q == 5'd0) state_q <= JOBS;
           end
-          if (left_q == 5'd0) turn_q <= turn_q & ~seen_q;
+          if (left_q == 5'd0) own_next_q <= own_next_q & ~seen_q;
         end
+        COMPARE: state_q <= DEADLINE;
         DEADLINE: begin
           if (!expired && own_go) begin
             state_q <= TABLE;
@@ -274,15 +284,15 @@ module link_dispatch (
         MATCH: begin
           index_q <= index_q + 7'd1;
           if (index_q[1:0] == 2'd1 && !match_route) drop_q <= 1'b1;
-          if (index_q[1:0] == 2'd2) begin
+          if (index_q[1:0] == 2'd2 && !match_use) drop_q <= 1'b1;
+          if (index_q[1:0] == 2'd3) begin
             index_q <= 7'd0;
-            if (!match_use) drop_q <= 1'b1;
-            state_q <= match_use && !drop_q && has_words ? FETCH : FINISH;
+            state_q <= has_words && !drop_q ? FETCH : FINISH;
           end
         end
         OUT: begin
           index_q <= index_q + 7'd1;
-          if (index_q + 7'd1 == HEAD_BYTES) begin
+          if (out_done) begin
             index_q <= 7'd0;
             state_q <= has_words ? FETCH : FINISH;
           end
@@ -310,7 +320,10 @@ module link_dispatch (
         if (finished) begin
           state_q <= JOBS;
           if (own_q) block_q <= next_block;
-          if (to_lane) turn_q[{lane_side, lane_request}] <= !own_q;
+          if (to_lane) begin
+            own_next_q[{lane_side, lane_request}] <= !own_q;
+            through_next_q[{lane_side, lane_request}] <= own_q;
+          end
         end
       endcase
     end
@@ -320,7 +333,7 @@ module link_dispatch (
   always @(posedge clk_i) begin
     case (state_q)
       HEAD: if (index_q != 7'd0) head_q <= {head_q[55:0], ring_data};
-      OUT:  head_q <= {head_q[55:0], head_q[63:56]};
+      OUT:  if (!out_done) head_q <= {head_q[55:0], head_q[63:56]};
       TABLE:
       case (index_q[1:0])
         2'd1: begin
@@ -389,7 +402,8 @@ module link_dispatch (
       HEAD_BYTES + {1'b0, word_index, state_q == FETCH_LOW};
   assign ring_free_o = {2{finished && !own_q}} & {side_q, !side_q};
 
-  assign lane_write_o = state_q == OUT || (to_lane && (state_q == PUT || state_q == PUT_LOW));
+  assign lane_write_o = (state_q == OUT && !out_done) ||
+      (to_lane && (state_q == PUT || state_q == PUT_LOW));
   assign lane_addr_o = {lane_side, lane_request, state_q == OUT ? index_q :
       HEAD_BYTES + {1'b0, word_index, state_q == PUT_LOW}};
   assign lane_data_o = state_q == OUT ? head_q[63:56] :

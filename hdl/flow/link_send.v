@@ -13,8 +13,8 @@
 // there. So an answer always belongs to the sending before it.
 // - no answer after the last retry: the frame is given up and counted. Whether the neighbour took it is not known, nor
 //   which sequence bit it expects; START, repeated until it is answered, makes bit 0 the next. START is also sent
-//   after reset. Without an answer to all its sendings the side is down: START goes on, and frames that come are
-//   dropped and counted at once instead of holding up those behind them for a timeout each.
+//   after reset. Without an answer to that either (to four after reset) the side is down: START goes on, and frames that
+//   come are dropped and counted at once instead of holding up those behind them for a timeout each.
 // - UNKNOWN: the neighbour has restarted. If this was the frame's first sending it cannot have been taken, and it goes
 //   after START; if it was a later one the first may have been, and it is given up rather than doubled.
 // Answers to the neighbour (3 bytes) go between frames, before everything else.
@@ -166,7 +166,7 @@ module link_send (
       end
       if (late && !started_q && last_try) down_q <= 1'b1;
 
-      if (mine || started || give_up) tries_q <= 3'd0;
+      if (mine || started) tries_q <= 3'd0;
       else if (late && !last_try) tries_q <= tries_q + 3'd1;
 
       if (mine || give_up) repeat_q <= 1'b0;

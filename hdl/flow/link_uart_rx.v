@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// UART receiver of the link between units: 8 bits, no parity, DIVISOR clocks a bit, 4 and more. rx_i is
+// UART receiver of the link between units: 8 bits, no parity, DIVISOR clocks a bit, 6 and more. rx_i is
 // asynchronous. Three samples around the middle of each bit decide by majority, an eighth of a bit apart (a clock at
 // fewer than 16). The sender's clock may differ by 2 %.
 // valid_o is 1 for a clock when a byte is in data_o, error_o instead of it when its stop bit was 0; then the line

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Units in a chain, 1 the upper end, and the lines between them, which can be cut, inverted and disturbed. Each unit
-// has a clock a little different from the others': some are left out.
+// Units in a chain, 1 the upper end, and the lines between them, which can be cut, inverted and
+// disturbed. Each unit has a clock a little different from the others': some are left out.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -52,7 +52,7 @@ class LinkChain {
  public:
   struct Options {
     int units = 2;
-    int divisor = 4;
+    int divisor = 6;
     std::uint64_t clocks_per_ms = 2000;
     int timeout_ms = 100;
   };
@@ -62,6 +62,8 @@ class LinkChain {
     }
     down.resize(units.size());
     up.resize(units.size());
+    down_levels_.assign(units.size() + 1, 1);  // idle at the ends
+    up_levels_.assign(units.size() + 1, 1);
   }
 
   World& world;
@@ -74,17 +76,15 @@ class LinkChain {
 
   void step() {
     const std::size_t n = units.size();
-    down_levels_.assign(n + 1, true);
-    up_levels_.assign(n + 1, true);
     for (std::size_t i = 0; i + 1 < n; ++i) {
-      down_levels_[i + 1] = down[i].through(units[i]->lower_tx(), world);
-      up_levels_[i + 1] = up[i].through(units[i + 1]->upper_tx(), world);
+      down_levels_[i + 1] = down[i].through(units[i]->lower_tx(), world) ? 1 : 0;
+      up_levels_[i + 1] = up[i].through(units[i + 1]->upper_tx(), world) ? 1 : 0;
     }
     const bool millisecond = world.now % options.clocks_per_ms == 0;
     for (std::size_t i = 0; i < n; ++i) {
       // Some hundred parts in a million slower than the first.
       if (i != 0 && !millisecond && world.now % (4001 - 500 * i) == 7 * i) continue;
-      units[i]->clock(down_levels_[i], up_levels_[i + 1], millisecond);
+      units[i]->clock(down_levels_[i] != 0, up_levels_[i + 1] != 0, millisecond);
     }
     ++world.now;
   }
@@ -128,12 +128,27 @@ class LinkChain {
     for (const auto& u : units) u->hold(false);
   }
 
-  // Sum of a counter of both sides of all units.
-  template <typename Field>
-  std::uint64_t sum(Field upper, Field lower) {
+  // Sum over all units of what `counter` gives.
+  template <typename Counter>
+  std::uint64_t sum(Counter counter) {
     std::uint64_t all = 0;
-    for (const auto& u : units) all += (u->operator->()->*upper) + (u->operator->()->*lower);
+    for (const auto& u : units) all += static_cast<std::uint64_t>(counter(*u));
     return all;
+  }
+  std::uint64_t bad() {
+    return sum([](auto& u) { return u->upper_bad_o + u->lower_bad_o; });
+  }
+  std::uint64_t full() {
+    return sum([](auto& u) { return u->upper_full_o + u->lower_full_o; });
+  }
+  std::uint64_t again() {
+    return sum([](auto& u) { return u->upper_again_o + u->lower_again_o; });
+  }
+  std::uint64_t lost() {
+    return sum([](auto& u) { return u->upper_lost_o + u->lower_lost_o; });
+  }
+  std::uint64_t late() {
+    return sum([](auto& u) { return u->late_o; });
   }
 
  private:
@@ -153,14 +168,15 @@ class LinkChain {
         line.disturb(Line::Fault::low, world.now + bit * (1 + world.pick(300)));
         break;
       case 2:
-        line.disturb(Line::Fault::high, world.now + bit * (1 + world.pick(world.once_in(4) ? 6000 : 300)));
+        line.disturb(Line::Fault::high,
+                     world.now + bit * (1 + world.pick(world.once_in(4) ? 6000 : 300)));
         break;
       default:
         line.disturb(Line::Fault::invert, world.now + 1 + world.pick(2 * bit));
     }
   }
 
-  std::vector<bool> down_levels_, up_levels_;
+  std::vector<std::uint8_t> down_levels_, up_levels_;
 };
 
 }  // namespace rung::tb

@@ -41,6 +41,7 @@ class LinkUnit {
 
   Pace pace;
   Dut* operator->() { return dut_.operator->(); }
+  Dut& operator*() { return *dut_.operator->(); }
   int number() const { return number_; }
   bool upper_tx() { return dut_->upper_tx_o != 0 || held_; }
   bool lower_tx() { return dut_->lower_tx_o != 0 || held_; }
@@ -151,8 +152,8 @@ class LinkUnit {
       const bool refused = World::refused(e.id);
       dut_->reply_block_i = static_cast<std::uint8_t>(e.block);
       dut_->reply_write_i = e.write ? 1 : 0;
-      dut_->reply_status_i = static_cast<std::uint8_t>(refused ? flow::flow_status_refused
-                                                               : flow::flow_status_done);
+      dut_->reply_status_i =
+          static_cast<std::uint8_t>(refused ? flow::flow_status_refused : flow::flow_status_done);
       dut_->reply_count_i = static_cast<std::uint8_t>(e.count);
       dut_->reply_to_i = e.from;
       dut_->reply_tag_i = e.tag;
@@ -180,7 +181,8 @@ class LinkUnit {
       if (dut_->mem_write_o != 0) {
         const int block = dut_->mem_addr_o / flow::flow_block_words;
         const bool event = !event_free_.empty() && block == event_free_.front();
-        EXPECT_TRUE(event || asked_.at(static_cast<std::size_t>(block))) << "a free block " << block;
+        EXPECT_TRUE(event || asked_.at(static_cast<std::size_t>(block)))
+            << "a free block " << block;
         pool_.at(dut_->mem_addr_o) = dut_->mem_wdata_o;
       } else {
         read_ = pool_.at(dut_->mem_addr_o);

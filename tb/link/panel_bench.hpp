@@ -80,6 +80,7 @@ class PanelServer {
   std::deque<Sending> to_send_;
   Frame heard_;
   std::uint64_t quiet_since_ = 0;  // on both lines
+  std::uint64_t began_at_ = 0;     // the last answer
   std::uint64_t begun_at_ = 0, heard_at_ = 0;
   std::uint64_t free_at_ = 0;
   std::vector<Request> requests_;

@@ -5,8 +5,8 @@
 `include "rung_controller.vh"
 
 module controller_bus #(
-    parameter integer MPU           = 2,         // 1, 2 or 3
-    parameter integer CLOCK_HZ      = 12000000,  // of clk_i
+    parameter integer MPU           = 2,                // 1, 2 or 3
+    parameter integer CLOCK_HZ      = 12000000,         // of clk_i
     parameter integer CLOCKS_PER_MS = CLOCK_HZ / 1000,
     // configuration and board: `RUNG_<CONFIG>_MAP, `RUNG_BOARD_<NAME>
     parameter integer CONFIG_ID     = 2,
@@ -16,7 +16,7 @@ module controller_bus #(
     parameter integer INPUTS        = 32,
     parameter integer OUTPUTS       = 32,
     parameter integer FLASH_BASE    = 0,
-    parameter integer FLOW          = 0,         // 1: with flow tasks (hdl/flow)
+    parameter integer FLOW          = 0,                // 1: with flow tasks (hdl/flow)
     // the processor's own
     parameter integer STEPS         = 512,
     parameter integer BIT_DEVICES   = 1024,
@@ -79,8 +79,6 @@ module controller_bus #(
   localparam [15:0] TX_FRAME = `RUNG_MICRO_TX_FRAME;
   localparam [15:0] BUFFER = `RUNG_MICRO_EXCHANGE_BUFFER;
   localparam [15:0] REGISTERS = `RUNG_MICRO_REGISTERS;
-  localparam [2:0] SPACE_BITS = `RUNG_SPACE_BITS;
-  localparam [2:0] SPACE_WORDS = `RUNG_SPACE_WORDS;
   localparam [3:0] REFRESH_PIN = `RUNG_REFRESH_PIN;
   localparam [3:0] REFRESH_PWM = `RUNG_REFRESH_PWM;
 
@@ -408,22 +406,27 @@ module controller_bus #(
       .duty_o       (duty)
   );
 
-  // ---- devices: who has the processor's port ------------------------------------------------------
+  // ---- devices: lists, exchange, flow tasks --------------------------------------------------------
   wire ladder;
   wire ladder_done;
   wire [2:0] adc_channel;
   wire [15:0] latch_sample;
   wire [15:0] port_sample;
-  wire list_valid;
-  wire list_write;
-  wire list_words;
-  wire [14:0] list_addr;
-  wire [15:0] list_data;
-  wire exchange_valid;
-  wire exchange_write;
-  wire exchange_words;
-  wire [14:0] exchange_addr;
-  wire [15:0] exchange_data;
+  wire flow_map_read;
+  wire flow_map_words;
+  wire [15:0] flow_map_point;
+  wire map_mapped;
+  wire [14:0] map_device;
+  wire flow_valid;
+  wire flow_access_write;
+  wire flow_words;
+  wire [14:0] flow_addr;
+  wire [15:0] flow_data;
+  wire host_valid;
+  wire host_write;
+  wire [2:0] host_space;
+  wire [19:0] host_addr;
+  wire [15:0] host_data;
   wire host_rvalid;
   wire [15:0] host_rdata;
 
@@ -438,110 +441,67 @@ module controller_bus #(
       .port_sample_o  (port_sample)
   );
 
-  io_list #(
-      .INPUTS(INPUTS)
-  ) list (
-      .clk_i          (clk_i),
-      .rst_ni         (rst_ni),
-      .latch_count_i  (latch_count),
-      .refresh_first_i(refresh_first),
-      .refresh_count_i(refresh_count),
-      .latch_i        (latch),
-      .refresh_i      (refresh),
-      .refreshing_i   (refreshing),
-      .pins_i         (inputs),
-      .status_i       (status),
-      .ticks_i        (ticks),
-      .adc_channel_o  (adc_channel),
-      .adc_i          (latch_sample),
-      .host_valid_o   (list_valid),
-      .host_write_o   (list_write),
-      .host_words_o   (list_words),
-      .host_addr_o    (list_addr),
-      .host_data_o    (list_data),
-      .host_rvalid_i  (host_rvalid),
-      .host_rdata_i   (host_rdata),
-      .value_valid_o  (value_valid),
-      .value_kind_o   (value_kind),
-      .value_index_o  (value_index),
-      .value_o        (value),
-      .forced_o       (forced_o),
-      .write_i        (io_write),
-      .write_addr_i   (space_addr[8:0]),
-      .write_data_i   (space_data),
-      .sel_register_i (sel_register),
-      .bus_addr_i     (addr),
-      .bus_write_i    (mem_write_i),
-      .bus_wdata_i    (mem_wdata_i[9:0])
-  );
-
-  wire exchange_map_read;
-  wire exchange_map_words;
-  wire [15:0] exchange_map_point;
-  wire flow_map_read;
-  wire flow_map_words;
-  wire [15:0] flow_map_point;
-  wire map_mapped;
-  wire [14:0] map_device;
-
-  device_map #(
+  device_accesses #(
+      .INPUTS      (INPUTS),
       .BIT_POINTS  (BIT_POINTS),
       .WORD_POINTS (WORD_POINTS),
       .BIT_DEVICES (BIT_DEVICES),
       .WORD_DEVICES(WORD_DEVICES)
-  ) map (
-      .clk_i       (clk_i),
-      .read_i      (exchange_map_read || flow_map_read),
-      .words_i     (flow_map_read ? flow_map_words : exchange_map_words),
-      .point_i     (flow_map_read ? flow_map_point : exchange_map_point),
-      .mapped_o    (map_mapped),
-      .device_o    (map_device),
-      .bit_write_i (bit_map_write),
-      .word_write_i(word_map_write),
-      .write_addr_i(space_addr),
-      .write_data_i(space_data)
+  ) accesses (
+      .clk_i           (clk_i),
+      .rst_ni          (rst_ni),
+      .latch_count_i   (latch_count),
+      .refresh_first_i (refresh_first),
+      .refresh_count_i (refresh_count),
+      .latch_i         (latch),
+      .refresh_i       (refresh),
+      .refreshing_i    (refreshing),
+      .pins_i          (inputs),
+      .status_i        (status),
+      .ticks_i         (ticks),
+      .adc_channel_o   (adc_channel),
+      .adc_i           (latch_sample),
+      .value_valid_o   (value_valid),
+      .value_kind_o    (value_kind),
+      .value_index_o   (value_index),
+      .value_o         (value),
+      .forced_o        (forced_o),
+      .exchange_i      (exchange_start),
+      .give_up_i       (give_up),
+      .flow_map_read_i (flow_map_read),
+      .flow_map_words_i(flow_map_words),
+      .flow_map_point_i(flow_map_point),
+      .map_mapped_o    (map_mapped),
+      .map_device_o    (map_device),
+      .flow_valid_i    (flow_valid),
+      .flow_write_i    (flow_access_write),
+      .flow_words_i    (flow_words),
+      .flow_addr_i     (flow_addr),
+      .flow_data_i     (flow_data),
+      .load_valid_i    (load_host_valid),
+      .load_space_i    (load_host_space),
+      .load_addr_i     (load_host_addr),
+      .load_data_i     (load_host_data),
+      .host_valid_o    (host_valid),
+      .host_write_o    (host_write),
+      .host_space_o    (host_space),
+      .host_addr_o     (host_addr),
+      .host_data_o     (host_data),
+      .host_rvalid_i   (host_rvalid),
+      .host_rdata_i    (host_rdata),
+      .io_write_i      (io_write),
+      .bit_map_write_i (bit_map_write),
+      .word_map_write_i(word_map_write),
+      .space_addr_i    (space_addr),
+      .space_data_i    (space_data),
+      .sel_buffer_i    (sel_buffer),
+      .sel_register_i  (sel_register),
+      .addr_i          (addr),
+      .read_i          (mem_read_i),
+      .write_i         (mem_write_i),
+      .wdata_i         (mem_wdata_i),
+      .rdata_o         (exchange_rdata)
   );
-
-  host_exchange exchange (
-      .clk_i         (clk_i),
-      .rst_ni        (rst_ni),
-      .start_i       (exchange_start),
-      .restart_i     (give_up),
-      .map_read_o    (exchange_map_read),
-      .map_words_o   (exchange_map_words),
-      .map_point_o   (exchange_map_point),
-      .map_mapped_i  (map_mapped),
-      .map_device_i  (map_device),
-      .host_valid_o  (exchange_valid),
-      .host_write_o  (exchange_write),
-      .host_words_o  (exchange_words),
-      .host_addr_o   (exchange_addr),
-      .host_data_o   (exchange_data),
-      .host_rvalid_i (host_rvalid),
-      .host_rdata_i  (host_rdata),
-      .sel_buffer_i  (sel_buffer),
-      .sel_register_i(sel_register),
-      .addr_i        (addr),
-      .read_i        (mem_read_i),
-      .write_i       (mem_write_i),
-      .wdata_i       (mem_wdata_i),
-      .rdata_o       (exchange_rdata)
-  );
-
-  // Phases do not overlap, so at most one of the four has an access.
-  wire flow_valid;
-  wire flow_access_write;
-  wire flow_words;
-  wire [14:0] flow_addr;
-  wire [15:0] flow_data;
-  wire words = list_valid ? list_words : flow_valid ? flow_words : exchange_words;
-  wire from_load = !list_valid && !exchange_valid && !flow_valid;
-  wire [2:0] host_space = from_load ? load_host_space : words ? SPACE_WORDS : SPACE_BITS;
-  wire [19:0] host_addr = from_load ? load_host_addr :
-      {5'd0, list_valid ? list_addr : flow_valid ? flow_addr : exchange_addr};
-  wire [15:0] host_data = from_load ? load_host_data :
-      list_valid ? list_data : flow_valid ? flow_data : exchange_data;
-  wire host_write = from_load || (list_valid ? list_write : flow_valid ? flow_access_write : exchange_write);
 
   // ---- the program -----------------------------------------------------------------------------
   wire persist_ready;
@@ -606,7 +566,7 @@ module controller_bus #(
       .busy_o         (),
       // verilator lint_on PINCONNECTEMPTY
       .done_o         (ladder_done),
-      .host_valid_i   (list_valid || exchange_valid || flow_valid || load_host_valid),
+      .host_valid_i   (host_valid),
       .host_write_i   (host_write),
       .host_space_i   (host_space),
       .host_addr_i    (host_addr),

@@ -56,7 +56,7 @@ void check_indices(const Flowchart& chart) {
   }
   const bool ladder = !chart.ladder.instructions.empty();
   must(!ladder || chart.ladder.dialect == chart.dialect, "the ladder's dialect");
-  must(chart.dialect == Dialect::Fx || chart.dialect == Dialect::Q, "its dialect");
+  must(chart.dialect != Dialect::Ldmicro, "its dialect");
 }
 
 using Key = std::tuple<std::size_t, int, int, Device>;

@@ -415,8 +415,10 @@ module controller_bus #(
   wire flow_map_read;
   wire flow_map_words;
   wire [15:0] flow_map_point;
+  // verilator lint_off UNUSEDSIGNAL
   wire map_mapped;
   wire [14:0] map_device;
+  // verilator lint_on UNUSEDSIGNAL
   wire flow_valid;
   wire flow_access_write;
   wire flow_words;

@@ -6,7 +6,8 @@
 //   requests to others       as their replies;
 //   the unit's own frames    of link_table.v, block after block, from the pool to a buffer.
 // None waits for another: a job that finds no room is passed over until the next turn. Transit and own frames take
-// turns on a buffer. Own requests for a side that is down stay in the table.
+// turns on a buffer, and so do own frames among themselves: the first block that finds the buffer taken has the next
+// turn, and the blocks behind it in their order. Own requests for a side that is down stay in the table.
 //
 // Timeouts: a request that is open at its deadline is complete with no_reply; an answer that comes later, or that
 // does not match in tag, unit, kind and count, is dropped and counted (late_o). So is, after all event blocks have
@@ -128,6 +129,9 @@ module link_dispatch (
   reg [3:0] own_next_q;
   reg [3:0] through_next_q;
   reg [3:0] seen_q;  // were free when the look began
+  // Buffers that a block of the table has the next turn on, and which.
+  reg [3:0] claimed_q;
+  reg [19:0] claims_q;
   reg done_valid_q;
   reg [4:0] done_block_q;
   reg [7:0] done_status_q;
@@ -192,11 +196,31 @@ module link_dispatch (
 
   // Blocks of event commands have replies, the others requests.
   wire block_event = block_q[4:3] == 2'b10;
-  wire [1:0] own_side = table_lower_i ? own_free[3:2] : own_free[1:0];
-  wire own_go = table_queued_i && (block_event ? own_side[0] :
-      own_side[1] && !down_i[table_lower_i]);
+  wire [1:0] own_lane = {table_lower_i, !block_event};
+  wire own_turn = !claimed_q[own_lane] || claims_q[5*own_lane+:5] == block_q;
+  wire own_wants = table_queued_i && (block_event || !down_i[table_lower_i]);
+  wire own_go = own_wants && own_turn && own_free[own_lane];
   wire expired = state_q == DEADLINE && overdue_q && !done_valid_q;
   wire [4:0] next_block = block_q == LAST_BLOCK ? 5'd0 : block_q + 5'd1;
+
+  wire visit = (state_q == SCAN && !table_open_i) || state_q == DEADLINE;
+  wire own_waits = own_wants && !expired && !own_go;
+  integer i;
+
+  always @(posedge clk_i) begin
+    if (!rst_ni) begin
+      claimed_q <= 4'd0;
+    end else if (visit) begin
+      for (i = 0; i < 4; i = i + 1) begin
+        if (own_waits && own_lane == i[1:0]) begin
+          if (!claimed_q[i]) claims_q[5*i+:5] <= block_q;
+          claimed_q[i] <= 1'b1;
+        end else if (claims_q[5*i+:5] == block_q) begin
+          claimed_q[i] <= 1'b0;
+        end
+      end
+    end
+  end
 
   // ---- a reply and its request ----
   wire matching = state_q == MATCH;

@@ -2,12 +2,13 @@
 // Sends the frames of one side of the link, one at a time: head, bytes of its buffer, CRC; then the neighbour's
 // answer is awaited, and the frame repeated without one.
 //
-// There are two buffers, one for replies and one for requests: replies go first, and where the neighbour has no room
-// for a request (FULL, so it is sure that it has not taken it) a reply may go before its next sending. So
-// requests that wait, wherever they are, never hold up replies; replies end in their requester's pool, which always has
-// their place; and requests wait for nothing but replies and the scheduler that executes them. No waits can stand in a
-// circle for ever, with all buffers full in both directions. What the scheduler does not serve any more is
-// dropped by link_dispatch.v after the requests' timeout.
+// There are two buffers, one for replies and one for requests, which take turns if both have a frame: a neighbour that
+// asks without end must not keep this side from asking. Where the neighbour has no room for a request (FULL, so it is
+// sure that it has not taken it) a reply goes before its next sending. So requests that wait, wherever they are, hold
+// up a reply by one frame at most; replies end in their requester's pool, which always has their place; and requests
+// wait for nothing but replies and the scheduler that executes them. No waits can stand in a circle for ever, with all
+// buffers full in both directions. What the scheduler does not serve any more is dropped by link_dispatch.v after the
+// requests' timeout.
 //
 // The neighbour's answer can be no later than the timeout: it waits at most for the whole frame that is being sent
 // there. So an answer always belongs to the sending before it.
@@ -119,6 +120,7 @@ module link_send (
   wire        rest = state_q == IDLE && !awaiting_q;
   wire        reply_waits = full_q[0];
   wire        request_waits = full_q[1] && !pause_q;
+  wire        take_request = request_waits && !(reply_waits && lane_q);
   wire        send_answer = state_q == IDLE && answer_valid_i;
   wire        send_start = rest && !answer_valid_i && !started_q;
   wire        send_again = rest && !answer_valid_i && started_q && repeat_q;
@@ -136,7 +138,8 @@ module link_send (
     end else if (state_q == BYTES && ready) begin
       index_q <= index_q + 7'd1;
     end
-    if (send_frame) lane_q <= !reply_waits;
+    if (!rst_ni) lane_q <= 1'b0;
+    else if (send_frame) lane_q <= take_request;
     if (!rst_ni) answer_q <= 1'b1;  // nothing has been asked
     else if (send_answer || rest) answer_q <= send_answer;
 
@@ -175,7 +178,7 @@ module link_send (
       else if (sent_asking || timer_q == PAUSE) pause_q <= 1'b0;
 
       if (send_again) again_q <= again_q + 16'd1;
-      else if (send_frame && refused_q[!reply_waits]) again_q <= again_q + 16'd1;
+      else if (send_frame && refused_q[take_request]) again_q <= again_q + 16'd1;
       if (give_up || drop != 2'b00) lost_q <= lost_q + 16'd1;
     end
   end

@@ -23,28 +23,31 @@ namespace {
 // waits for it).
 constexpr double kPanelLeastMs = 25, kPanelMostMs = 95;
 constexpr int kPanelUnit = 5;
+constexpr int kSettleMs = 150;  // longer than the panel takes
 constexpr int kTurns =
     2;  // of the task: the step that sees the input, the step that sets the output
 constexpr std::uint64_t kSampleSeed = 1, kSecondSampleSeed = 2;
 constexpr int kDensity = 30;
 
-std::string map_text(FlowMode mode, bool inputs) {
-  const controller::Board& board = *io::find_board("simulated");
-  std::string text = fmt::format(
-      "board = 'simulated'\n[controller]\nexchange_points = 64\nfilter_us = 1000\nwatchdog_us = 0\n"
+std::string map_text(FlowMode mode) {
+  return fmt::format(
+      "board = 'simulated'\n[controller]\nexchange_points = 64\nfilter_us = 1000\nwatchdog_ms = 0\n"
       "[modbus]\nbaud = 115200\n[flow]\nsuspend = {}\npanel_unit = {}\n",
       mode != FlowMode::Waiting, kPanelUnit);
-  if (inputs) {
-    text +=
-        fmt::format("[inputs]\nX200 = {{ pin = '{}', filter = {} }}\n[outputs]\nY200 = '{}'\n",
-                    board.inputs.front(), mode == FlowMode::Sampled ? 0 : 2, board.outputs.front());
-  }
-  return text;
+}
+
+std::string probe_pins(FlowMode mode) {
+  const controller::Board& board = *io::find_board("simulated");
+  return fmt::format("[inputs]\nX200 = {{ pin = '{}', filter = {} }}\n[outputs]\nY200 = '{}'\n",
+                     board.inputs.front(), mode == FlowMode::Sampled ? 0 : 2,
+                     board.outputs.front());
 }
 
 // Two stand-ins of the paper's Sample 1 one behind the other: some 1,000 clocks on MPU3.
 std::string ladder_text() {
-  return sample_program(1, kDensity, kSampleSeed) + sample_program(1, kDensity, kSecondSampleSeed);
+  std::string first = sample_program(1, kDensity, kSampleSeed);
+  first.erase(first.rfind("END"));
+  return first + sample_program(1, kDensity, kSecondSampleSeed);
 }
 
 }  // namespace
@@ -82,60 +85,112 @@ std::string measured_program(int tasks, const std::string& ladder_file) {
   return text;
 }
 
-std::string asking_program(FlowScenario::Sub what) {
-  return fmt::format(
-      "dialect paper\nunit 2\nboard WANTED = unit 1 board {}\ntask ASK start\nstep AGAIN\n"
-      "  read D0 count 8 from WANTED at 0\n  D10 = D10 + 1 if not failed\n  goto AGAIN\n",
-      what == FlowScenario::Sub::Panel ? 1 : 0);
+std::string asking_program() {
+  std::string text = "dialect paper\nunit 2\n";
+  for (int board = 0; board < 2; ++board) {
+    text += fmt::format(
+        "board WANTED{0} = unit 1 board {0}\ntask ASK{0} start\nstep IDLE\n  when X{0} goto AGAIN\n"
+        "step AGAIN\n  read D{1} count 8 from WANTED{0} at 0\n  when X{0} goto AGAIN\n  goto "
+        "IDLE\n",
+        board, 16 * board);
+  }
+  // All boards stand before the tasks.
+  const std::size_t second = text.find("board WANTED1");
+  const std::size_t end = text.find("task", second);
+  const std::string board = text.substr(second, end - second);
+  text.erase(second, end - second);
+  return text.insert(text.find("task"), board);
 }
+namespace {
 
-FlowResult run_flow_cell(const FlowCell& cell) {
-  const FlowScenario& scenario = flow_scenarios().at(static_cast<std::size_t>(cell.scenario - 1));
-  const bool sub = scenario.sub != FlowScenario::Sub::None;
-  const Folder folder;
-  folder.put("ladder.il", ladder_text());
-  const FlowBuilt measured =
-      build_flow(folder.put("measured.flow", measured_program(cell.tasks, "ladder.il")),
-                 map_text(cell.mode, true));
-  FlowSystem system(sub ? 2 : 1, cell.seed);
-  system.load(1, measured.words);
-  if (sub) {
-    const FlowBuilt asking = build_flow(folder.put("asking.flow", asking_program(scenario.sub)),
-                                        map_text(FlowMode::Suspended, false));
-    system.load(2, asking.words);
+class Bench {
+ public:
+  Bench(FlowMode mode, int tasks, std::uint64_t seed)
+      : mode_(mode), tasks_(tasks), measured_(measured(mode, tasks)), system_(2, seed) {
+    const Folder folder;
+    const auto& pins = io::find_board("simulated")->inputs;
+    const std::string map = fmt::format("[inputs]\nX0 = '{}'\nX1 = '{}'\n", pins.at(0), pins.at(1));
+    system_.load(1, measured_.words);
+    system_.load(2, build_flow(folder.put("asking.flow", asking_program()),
+                               map_text(FlowMode::Suspended) + map)
+                        .words);
+    system_.attach_panel(1, kPanelUnit, kPanelLeastMs, kPanelMostMs);
+    system_.start();
   }
-  if (scenario.sub == FlowScenario::Sub::Panel)
-    system.attach_panel(1, kPanelUnit, kPanelLeastMs, kPanelMostMs);
-  if (scenario.pc) system.attach_pc(1, 1, 0, 0, 8);
-  system.start();
 
-  FlowResult result;
-  result.cell = cell;
-  result.least.polled_ms = std::numeric_limits<double>::max();
-  result.least_clocks = std::numeric_limits<std::uint64_t>::max();
-  result.bound_clocks = measured.bound.response(kTurns);
-  result.round_bound = measured.bound.round();
-  result.ladder_clocks = measured.bound.ladder;
-  FlowProbe probe(system, cell.mode != FlowMode::Sampled, cell.seed);
-  for (int i = 0; i < cell.inputs; ++i) {
-    const FlowResponse response = probe.input();
-    if (milliseconds(response) < milliseconds(result.least)) result.least = response;
-    if (milliseconds(response) > milliseconds(result.most)) result.most = response;
-    result.least_clocks = std::min(result.least_clocks, response.clocks);
-    result.most_clocks = std::max(result.most_clocks, response.clocks);
-    if (system.faulted(1)) throw std::runtime_error("the unit is in fault");
+  FlowResult run(const FlowScenario& scenario, int inputs, std::uint64_t seed) {
+    using Sub = FlowScenario::Sub;
+    system_.set_fault(1, scenario.sub == Sub::None ? LineFault::Cut : LineFault::None);
+    system_.set_input(2, 0, scenario.sub == Sub::Memory);
+    system_.set_input(2, 1, scenario.sub == Sub::Panel);
+    if (scenario.pc) system_.attach_pc(1, 1, 0, 0, 8);
+    settle();
+
+    FlowResult result;
+    result.scenario = scenario.number;
+    result.tasks = tasks_;
+    result.mode = mode_;
+    result.inputs = inputs;
+    result.least.polled_ms = std::numeric_limits<double>::max();
+    result.least_clocks = std::numeric_limits<std::uint64_t>::max();
+    result.bound_clocks = measured_.bound.response(kTurns);
+    result.round_bound = measured_.bound.round();
+    result.ladder_clocks = measured_.bound.ladder;
+    system_.forget_most_round(1);
+    const std::int64_t answers = system_.panel_answers(1);
+    FlowProbe probe(system_, mode_ != FlowMode::Sampled, seed);
+    for (int i = 0; i < inputs || i % 2 != 0; ++i) {
+      const FlowResponse response = probe.input();
+      if (milliseconds(response) < milliseconds(result.least)) result.least = response;
+      if (milliseconds(response) > milliseconds(result.most)) result.most = response;
+      result.least_clocks = std::min(result.least_clocks, response.clocks);
+      result.most_clocks = std::max(result.most_clocks, response.clocks);
+      if (system_.faulted(1)) throw std::runtime_error("the unit is in fault");
+    }
+    result.most_round = system_.most_round_clocks(1);
+    result.panel_answers = system_.panel_answers(1) - answers;
+    if (scenario.pc) {
+      result.pc_commands = system_.pc_done(1);
+      system_.detach_pc(1);
+      settle();
+    }
+    result.complaints = system_.complaints();
+    result.ladder_min = system_.registers(1, flow::reg_flow_ladder_min, 1).at(0);
+    result.ladder_max = system_.registers(1, flow::reg_flow_ladder_max, 1).at(0);
+    const int events = system_.registers(1, flow::reg_flow_events, 1).at(0);
+    result.event_commands = (events - events_) & 0xFFFF;
+    events_ = events;
+    return result;
   }
-  result.most_round = system.most_round_clocks(1);
-  if (scenario.pc) {
-    result.pc_commands = system.pc_done(1);
-  } else {
-    result.ladder_min = system.registers(1, flow::reg_flow_ladder_min, 1).at(0);
-    result.ladder_max = system.registers(1, flow::reg_flow_ladder_max, 1).at(0);
-    result.event_commands = system.registers(1, flow::reg_flow_events, 1).at(0);
+
+ private:
+  static FlowBuilt measured(FlowMode mode, int tasks) {
+    const Folder folder;
+    folder.put("ladder.il", ladder_text());
+    return build_flow(folder.put("measured.flow", measured_program(tasks, "ladder.il")),
+                      map_text(mode) + probe_pins(mode));
   }
-  result.panel_answers = system.panel_answers(1);
-  result.complaints = system.complaints();
-  return result;
+  // Until what went before has ended, and what is new is under way.
+  void settle() { system_.run(static_cast<std::uint64_t>(kSettleMs) * flow_clocks_per_ms()); }
+
+  FlowMode mode_;
+  int tasks_;
+  FlowBuilt measured_;
+  FlowSystem system_;
+  int events_ = 0;
+};
+
+}  // namespace
+
+std::vector<FlowResult> run_flow_cells(FlowMode mode, int tasks, int inputs, std::uint64_t seed,
+                                       const std::vector<int>& scenarios) {
+  Bench bench(mode, tasks, seed);
+  std::vector<FlowResult> results;
+  for (const int number : scenarios) {
+    results.push_back(
+        bench.run(flow_scenarios().at(static_cast<std::size_t>(number - 1)), inputs, seed));
+  }
+  return results;
 }
 
 }  // namespace rung::tb

@@ -31,16 +31,11 @@ enum class FlowMode : std::uint8_t {
   Sampled,    // (c): as (b), with inputs sampled in every round instead of polled
 };
 
-struct FlowCell {
+struct FlowResult {
   int scenario = 1;
   int tasks = 1;
   FlowMode mode = FlowMode::Suspended;
   int inputs = 1000;
-  std::uint64_t seed = 1;
-};
-
-struct FlowResult {
-  FlowCell cell;
   FlowResponse least, most;
   std::uint64_t least_clocks = 0,
                 most_clocks = 0;  // of the processor's part, wherever they were found
@@ -53,13 +48,17 @@ struct FlowResult {
   std::vector<std::string> complaints;
 };
 
-// Runs it. Throws std::runtime_error if something is not as it should be. `clocks_per_ms` is of the
-// simulation.
-FlowResult run_flow_cell(const FlowCell& cell);
+// Runs the scenarios one behind the other on the same two units: one mode and number of tasks, and
+// of each as many inputs. Where a scenario has one unit, the link is cut. Throws std::runtime_error
+// if something is not as it should be.
+std::vector<FlowResult> run_flow_cells(FlowMode mode, int tasks, int inputs, std::uint64_t seed,
+                                       const std::vector<int>& scenarios = {1, 2, 3, 4, 5, 6});
+// Of the simulation.
 std::uint64_t flow_clocks_per_ms();
 
 // The programs, for the report and tests: the unit that is measured, and the one below it.
 std::string measured_program(int tasks, const std::string& ladder_file);
-std::string asking_program(FlowScenario::Sub what);
+// It asks for 8 words of unit 1's memory without end while its X0 is on, of its panel while X1 is.
+std::string asking_program();
 
 }  // namespace rung::tb

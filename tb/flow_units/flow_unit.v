@@ -43,7 +43,7 @@ module flow_unit #(
   localparam integer OUTPUTS = `RUNG_BOARD_SIMULATED_OUTPUTS;
   // verilator lint_off UNUSEDSIGNAL
   wire [OUTPUTS-1:0] outputs;
-  wire [INPUTS-1:0] filtered = controller.core.bus.inputs;
+  wire [INPUTS-1:0] filtered = controller.core.bus.input_pins.value;
   // verilator lint_on UNUSEDSIGNAL
   assign out_o = outputs[7:0];
   assign filtered_o = filtered[7:0];

@@ -19,14 +19,12 @@ double milliseconds(const FlowResponse& response) {
 
 FlowResponse FlowProbe::input() {
   wait_random();
-  const FlowResponse up = edge(true);
-  wait_random();
-  edge(false);
-  return up;
+  level_ = !level_;
+  return edge(level_);
 }
 
 void FlowProbe::wait_random() {
-  std::uniform_real_distribution<double> pause(0.3, 2.3);
+  std::uniform_real_distribution<double> pause(0.3, 1.3);
   system_.run(static_cast<std::uint64_t>(pause(random_) * per_ms()));
 }
 

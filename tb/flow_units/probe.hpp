@@ -23,8 +23,8 @@ class FlowProbe {
   FlowProbe(FlowSystem& system, bool polled, std::uint64_t seed)
       : system_(system), polled_(polled), random_(seed) {}
 
-  // One input at a random phase: up, until the output has followed, and down again. That of the way
-  // up. Throws std::runtime_error if the output does not follow within seconds.
+  // One input at a random phase, up and down by turns: how the output followed. Throws
+  // std::runtime_error if it does not within seconds.
   FlowResponse input();
 
  private:
@@ -34,6 +34,7 @@ class FlowProbe {
 
   FlowSystem& system_;
   bool polled_;
+  bool level_ = false;
   std::mt19937_64 random_;
 };
 

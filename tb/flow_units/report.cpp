@@ -55,7 +55,7 @@ double bound_ms(const FlowResult& result) {
 
 FlowReport::FlowReport(const std::vector<FlowResult>& results) {
   for (const FlowResult& result : results) {
-    results_[{result.cell.mode, result.cell.scenario, result.cell.tasks}] = result;
+    results_[{result.mode, result.scenario, result.tasks}] = result;
   }
 }
 
@@ -68,14 +68,14 @@ std::vector<std::string> FlowReport::failures() const {
   std::vector<std::string> out;
   for (const auto& [key, result] : results_) {
     const std::string where =
-        fmt::format("{}, scenario {}, {} tasks", kModeNames[static_cast<int>(result.cell.mode)],
-                    result.cell.scenario, result.cell.tasks);
+        fmt::format("{}, scenario {}, {} tasks", kModeNames[static_cast<int>(result.mode)],
+                    result.scenario, result.tasks);
     for (const std::string& complaint : result.complaints) out.push_back(where + ": " + complaint);
     if (result.ladder_min != result.ladder_max) {
       out.push_back(fmt::format("{}: the ladder took {} to {} clocks", where, result.ladder_min,
                                 result.ladder_max));
     }
-    if (result.cell.mode == FlowMode::Waiting) continue;
+    if (result.mode == FlowMode::Waiting) continue;
     if (result.most_clocks > static_cast<std::uint64_t>(result.bound_clocks)) {
       out.push_back(fmt::format("{}: {} clocks, beyond the bound of {}", where, result.most_clocks,
                                 result.bound_clocks));
@@ -84,12 +84,11 @@ std::vector<std::string> FlowReport::failures() const {
       out.push_back(fmt::format("{}: a round of {} clocks, beyond the bound of {}", where,
                                 result.most_round, result.round_bound));
     }
-    if (result.cell.mode == FlowMode::Sampled &&
-        microseconds(result.most_clocks) > kSampledGoalUs) {
+    if (result.mode == FlowMode::Sampled && microseconds(result.most_clocks) > kSampledGoalUs) {
       out.push_back(fmt::format("{}: {:.1f} us, the goal is {}", where,
                                 microseconds(result.most_clocks), kSampledGoalUs));
     }
-    if (result.cell.mode == FlowMode::Suspended && milliseconds(result.most) > bound_ms(result)) {
+    if (result.mode == FlowMode::Suspended && milliseconds(result.most) > bound_ms(result)) {
       out.push_back(fmt::format("{}: {:.3f} ms, beyond {:.3f}", where, milliseconds(result.most),
                                 bound_ms(result)));
     }
@@ -159,7 +158,7 @@ std::string FlowReport::markdown(const std::string& date, std::uint64_t seed,
   int inputs = 0, inputs_waiting = 0;
   std::int64_t ladder = 0;
   for (const auto& [key, result] : results_) {
-    (result.cell.mode == FlowMode::Waiting ? inputs_waiting : inputs) = result.cell.inputs;
+    (result.mode == FlowMode::Waiting ? inputs_waiting : inputs) = result.inputs;
     ladder = result.ladder_clocks;
   }
   out += fmt::format(
@@ -167,8 +166,8 @@ std::string FlowReport::markdown(const std::string& date, std::uint64_t seed,
       "simulated by Verilator; a simulated "
       "millisecond has {} clocks (a board at 100 MHz has 100,000). Beside the tasks runs a ladder "
       "of {} clocks (two stand-ins of the "
-      "paper's Sample 1), in every round. {} inputs a cell ({} with suspension off), each at a "
-      "random phase. A response is from the edge at "
+      "paper's Sample 1), in every round. {} inputs a cell ({} with suspension off), by turns up "
+      "and down, each at a random phase. A response is from the edge at "
       "the pin to the edge at the output's pin: the polling part in simulated ms, and the clocks "
       "after it at 100 MHz; least to **most**. PC and "
       "panel are pymodbus programs on pseudo-terminals; the panel answers after 25 to 95 simulated "
@@ -195,12 +194,11 @@ std::string FlowReport::markdown(const std::string& date, std::uint64_t seed,
       "\n## Rounds\n\n| mode | scenario | tasks | longest round, clocks | bound | PC commands | "
       "event commands | panel answers |\n|---|---:|---:|---:|---:|---:|---:|---:|\n";
   for (const auto& [key, result] : results_) {
-    out += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} |\n",
-                       kModeNames[static_cast<int>(result.cell.mode)], result.cell.scenario,
-                       result.cell.tasks, result.most_round,
-                       result.cell.mode == FlowMode::Waiting ? std::string("none")
-                                                             : std::to_string(result.round_bound),
-                       result.pc_commands, result.event_commands, result.panel_answers);
+    out += fmt::format(
+        "| {} | {} | {} | {} | {} | {} | {} | {} |\n", kModeNames[static_cast<int>(result.mode)],
+        result.scenario, result.tasks, result.most_round,
+        result.mode == FlowMode::Waiting ? std::string("none") : std::to_string(result.round_bound),
+        result.pc_commands, result.event_commands, result.panel_answers);
   }
   return out;
 }
@@ -212,16 +210,16 @@ std::string FlowReport::json(const std::string& date, std::uint64_t seed) const 
   out["clocks_per_ms"] = flow_clocks_per_ms();
   for (const auto& [key, result] : results_) {
     nlohmann::ordered_json cell;
-    cell["mode"] = kModeNames[static_cast<int>(result.cell.mode)];
-    cell["scenario"] = result.cell.scenario;
-    cell["tasks"] = result.cell.tasks;
-    cell["inputs"] = result.cell.inputs;
+    cell["mode"] = kModeNames[static_cast<int>(result.mode)];
+    cell["scenario"] = result.scenario;
+    cell["tasks"] = result.tasks;
+    cell["inputs"] = result.inputs;
     cell["least_ms"] = milliseconds(result.least);
     cell["most_ms"] = milliseconds(result.most);
     cell["most_polled_ms"] = result.most.polled_ms;
     cell["least_clocks"] = result.least_clocks;
     cell["most_clocks"] = result.most_clocks;
-    if (result.cell.mode != FlowMode::Waiting) {
+    if (result.mode != FlowMode::Waiting) {
       cell["bound_clocks"] = result.bound_clocks;
       cell["round_bound"] = result.round_bound;
     }

@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::uint64_t kClocksPerMs = RUNG_FLOW_CLOCKS_PER_MS;
 constexpr std::uint64_t kPatienceMs = 10'000;
+constexpr std::uint64_t kClocksBetweenNoise = 10'000;  // on average
 constexpr int kHolding = 0xE100;  // register n of the flow tasks is holding register kHolding + n
 constexpr std::uint8_t kUnitAddress = 1;
 
@@ -44,6 +45,7 @@ void FlowSystem::attach_pc(int unit, int of_unit, int board, int first, int coun
   at(unit).attach_pc({std::to_string(of_unit), std::to_string(board), std::to_string(first),
                       std::to_string(count)});
 }
+void FlowSystem::detach_pc(int unit) { at(unit).detach_pc(); }
 
 void FlowSystem::clock() {
   // The link: what each drove in the last clock.
@@ -53,9 +55,12 @@ void FlowSystem::clock() {
     bool down = upper.lower_tx_o != 0;
     bool up = lower.upper_tx_o != 0;
     if (faults_[n] == LineFault::Cut) down = up = true;
-    // Now and then a bit or so.
-    if (faults_[n] == LineFault::Noise && random_() % 2000 == 0) down = !down;
-    if (faults_[n] == LineFault::Noise && random_() % 2000 == 0) up = !up;
+    // Now and then a bit the wrong way round, on both wires.
+    if (faults_[n] == LineFault::Noise) {
+      if (random_() % kClocksBetweenNoise == 0) noise_ends_ = now_ + flow::link_divisor;
+      down = down != (now_ < noise_ends_);
+      up = up != (now_ < noise_ends_);
+    }
     lower.upper_rx_i = down;
     upper.lower_rx_i = up;
   }
@@ -84,13 +89,13 @@ bool FlowSystem::filtered(int unit, int pin) const {
 }
 std::uint64_t FlowSystem::round_clocks(int unit) const { return at(unit).round_clocks(); }
 std::uint64_t FlowSystem::most_round_clocks(int unit) const { return at(unit).most_round_clocks(); }
+void FlowSystem::forget_most_round(int unit) { at(unit).forget_most_round(); }
 std::uint64_t FlowSystem::rounds(int unit) const { return at(unit).rounds(); }
 bool FlowSystem::faulted(int unit) const { return at(unit).pins().fault_o != 0; }
 
 void FlowSystem::set_fault(int upper_unit, LineFault fault) {
   faults_.at(static_cast<std::size_t>(upper_unit - 1)) = fault;
 }
-void FlowSystem::hold(int unit, bool held) { at(unit).hold(held); }
 
 std::vector<std::uint8_t> FlowSystem::ask(int unit, std::vector<std::uint8_t> pdu) {
   BitLine& line = at(unit).host();

@@ -36,6 +36,7 @@ class FlowSystem {
   void silence_panel(int unit, bool silent);
   // A PC at a unit that reads `count` variables of a board without end.
   void attach_pc(int unit, int of_unit, int board, int first, int count);
+  void detach_pc(int unit);
 
   void clock();
   void run(std::uint64_t clocks) {
@@ -52,12 +53,11 @@ class FlowSystem {
   // Clocks from the beginning of the last round but one to that of the last, and rounds so far.
   std::uint64_t round_clocks(int unit) const;
   std::uint64_t most_round_clocks(int unit) const;
+  void forget_most_round(int unit);
   std::uint64_t rounds(int unit) const;
   bool faulted(int unit) const;
 
   void set_fault(int upper_unit, LineFault fault);
-  // Held in reset: as if it were switched off.
-  void hold(int unit, bool held);
 
   // A client's request to a unit without a PC: its answer; throws if there is none. The simulation
   // runs meanwhile.
@@ -80,6 +80,7 @@ class FlowSystem {
   std::vector<std::unique_ptr<FlowUnit>> units_;
   std::vector<LineFault> faults_;
   std::uint64_t now_ = 0;
+  std::uint64_t noise_ends_ = 0;
   std::vector<std::string> complaints_;
 };
 

@@ -21,10 +21,11 @@ std::size_t flash_bytes() {
 }
 
 // The line's client side at the rate that the controller has now.
-void follow(BitLine& line, std::uint32_t& step, std::uint32_t now, unsigned parity) {
-  if (now == step) return;
-  step = now;
-  line.set_rate(now, parity == 1 ? Parity::Odd : parity == 2 ? Parity::Even : Parity::None);
+void follow(BitLine& line, std::pair<std::uint32_t, unsigned>& rate, std::uint32_t step,
+            unsigned parity) {
+  if (rate == std::pair{step, parity}) return;
+  rate = {step, parity};
+  line.set_rate(step, parity == 1 ? Parity::Odd : parity == 2 ? Parity::Even : Parity::None);
 }
 
 }  // namespace
@@ -62,16 +63,21 @@ void FlowUnit::attach_pc(const std::vector<std::string>& what) {
   pc_ = std::make_unique<Outside>("pc.py", what);
 }
 
+void FlowUnit::detach_pc() {
+  pc_.reset();
+  pc_waits_ = false;
+  answered_.clear();
+}
+
 void FlowUnit::before(std::uint64_t now) {
-  top_->rst_ni = !held_;
   top_->host_rx_i = host_.level(now);
   top_->panel_rx_i = panel_line_.level(now);
   tick();
 }
 
 void FlowUnit::after(std::uint64_t now) {
-  follow(host_, host_step_, top_->host_baud_o, top_->host_parity_o);
-  follow(panel_line_, panel_step_, top_->panel_baud_o, top_->panel_parity_o);
+  follow(host_, host_rate_, top_->host_baud_o, top_->host_parity_o);
+  follow(panel_line_, panel_rate_, top_->panel_baud_o, top_->panel_parity_o);
   host_.sample(now, top_->host_tx_o != 0);
   panel_line_.sample(now, top_->panel_tx_o != 0);
   top_->flash_miso_i =

@@ -9,6 +9,7 @@
 #include <optional>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "Vflow_unit.h"
@@ -30,18 +31,19 @@ class FlowUnit {
   void attach_panel(int modbus_unit, double least_ms, double most_ms);
   void silence_panel(bool silent) { panel_silent_ = silent; }
   void attach_pc(const std::vector<std::string>& what);
+  void detach_pc();
 
   // A clock: the lines' levels before it, what they show after it.
   void before(std::uint64_t now);
   void after(std::uint64_t now);
 
-  void hold(bool held) { held_ = held; }
   // Bytes for the host line, and from it: where no PC is attached.
   BitLine& host() { return host_; }
 
   std::uint64_t rounds() const { return rounds_; }
   std::uint64_t round_clocks() const { return round_clocks_; }
   std::uint64_t most_round_clocks() const { return most_round_clocks_; }
+  void forget_most_round() { most_round_clocks_ = 0; }
   std::int64_t panel_answers() const { return panel_answers_; }
   // What the PC has said since the last call.
   std::vector<std::string> pc_said() { return pc_ ? pc_->said() : std::vector<std::string>{}; }
@@ -59,8 +61,7 @@ class FlowUnit {
   std::unique_ptr<Vflow_unit> top_;
   FlashModel flash_;
   BitLine host_, panel_line_;
-  std::uint32_t host_step_ = 0, panel_step_ = 0;
-  bool held_ = false;
+  std::pair<std::uint32_t, unsigned> host_rate_, panel_rate_;  // baud step and parity
 
   std::unique_ptr<Outside> panel_;
   double least_ms_ = 0, most_ms_ = 0;

@@ -136,7 +136,10 @@ static u16 serve_controller(void) {
   write_first = write_first & 0x1FFF;
   read_first = read_first & 0x1FFF;
   // a window only from its first word on
-  if (write_count && write_first > NUMBER(WINDOW)) return ILLEGAL_VALUE;
+#if FLOW
+  if (write_first < NUMBER(FLOW))
+#endif
+    if (write_count && write_first > NUMBER(WINDOW)) return ILLEGAL_VALUE;
   window_wanted[0] = window(0);
   window_wanted[1] = window(1);
   force_wanted = force_point;

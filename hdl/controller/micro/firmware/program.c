@@ -146,7 +146,6 @@ static void boot(void) {
   u16 n;
   u16 why;
   stop();
-  clear_all();
   first = 1;
   if (read_header(0)) {
     low = header[0];
@@ -165,6 +164,7 @@ static void boot(void) {
       }
     }
   }
+  clear_all();
   no_program = why;
   copy = 0;
   flash_end();

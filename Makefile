@@ -150,6 +150,7 @@ flow-report: ## the paper's experiment with 1 to 100 flow tasks: reports/flow.md
 	@scripts/setup.sh test
 	$(call cmake_build,build/release,$(RELEASE),--target rung-flow)
 	@build/bin/rung-flow $$(date +%F) build/flow.md build/flow.json --jobs $(JOBS)
+	@$(PYTHON) scripts/flow_cost.py build/flow.md build/flow.json
 	@mv build/flow.md build/flow.json reports/
 	@echo 'wrote reports/flow.md and flow.json'
 

@@ -21,6 +21,7 @@ PARTS = {
         "input_pins", "input_filter", "run_switch", "output_pins", "adc_select", "pwm_entry", "keep_port"),
     "device ports: exchange, UART, PWM": ("ladder_ports", "port_exchange", "uart_rx", "uart_tx", "pwm"),
     "flash port, CRC-32": ("flash_port", "crc32"),
+    "flow tasks": ("flow_block",),
     "converter": ("max11123",),
 }
 SERVER = tuple(PARTS)[1:4]

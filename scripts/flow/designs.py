@@ -121,3 +121,13 @@ def plc_design(board: Board) -> Design:
         hdl / "boards" / f"{name}.v" for name in ("power_on_reset", "ladder_ports", board.name)]
     return Design(board.name, board.name, tuple(sources),
                   (tools.GENERATED, hdl / "core", hdl / "flow"), (), board, kind="bit")
+
+
+def flow_tasks_design() -> Design:
+    """The hardware of flow tasks alone, which has more ports than the FPGA has pins."""
+    hdl = tools.ROOT / "hdl"
+    board = Board("flow_block", "ECP5-85F grade 6, out of context", ECP5, (*ULX3S_85F, "--out-of-context"), None,
+                  100, "ecp5")
+    sources = [*sorted((hdl / "flow").glob("*.v")), hdl / "core" / "bank_ram.v",
+               hdl / "peripherals" / "uart_rx.v", hdl / "peripherals" / "uart_tx.v"]
+    return Design(board.name, board.name, tuple(sources), (tools.GENERATED, hdl / "flow"), (), board)

@@ -18,8 +18,8 @@ TABLES = ("bit", "word")
 def load(isa_dir, configs):
     """The tables, checked, with what follows from them."""
     texts = {name: (isa_dir / f"{name}.toml").read_bytes()
-             for name in ("controller", "modbus", "boards")}
-    control, modbus, boards = (tomllib.loads(text.decode()) for text in texts.values())
+             for name in ("controller", "modbus", "boards", "flow")}
+    control, modbus, boards, _ = (tomllib.loads(text.decode()) for text in texts.values())
     for group in GROUPS:
         taken = set()
         for row in control[group]:
@@ -31,7 +31,7 @@ def load(isa_dir, configs):
         assert board["config"] in configs["config"], f"board {name}: no such configuration"
         board["inputs"], board["outputs"] = expand(board["inputs"]), expand(board["outputs"])
         assert max(len(board["inputs"]), len(board["outputs"])) <= 64, f"board {name}: too many pins"
-    what = texts["controller"] + texts["modbus"] + repr(sorted(
+    what = texts["controller"] + texts["modbus"] + texts["flow"] + repr(sorted(
         (name, config["modbus"]) for name, config in configs["config"].items())).encode()
     crc = zlib.crc32(what)
     return {"control": control, "maps": maps, "boards": boards["board"],

@@ -68,12 +68,12 @@ def behind_header(said: str, copy: Path, original: Path, header_lines: int) -> s
 
 
 def verible() -> list[str]:
-    """Board tops and the simulated one hold macros that stand for parameter lists, which verible takes only where they are
+    """Board tops and the simulated ones hold macros that stand for parameter lists, which verible takes only where they are
     defined: they are checked behind the headers that define them."""
     rules = f"--rules_config={ROOT / 'hdl' / 'verible.rules'}"
     boards = [*BOARDS.values(), *PLC_BOARDS.values()]
     tops = [ROOT / "hdl" / "boards" / f"{board.name}.v" for board in boards]
-    tops.append(ROOT / "tb" / "controller" / "simulated_controller.v")
+    tops += [ROOT / "tb" / "controller" / "simulated_controller.v", ROOT / "tb" / "flow_units" / "flow_unit.v"]
     files = [f for folder in ("hdl", "tb") for f in sorted((ROOT / folder).rglob("*.v"))
              if f not in tops]
     found = [output([VERIBLE, rules, *map(str, files)])]

@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <poll.h>
 #include <signal.h>
 #include <spawn.h>
@@ -100,7 +101,11 @@ std::vector<std::uint8_t> Outside::read_frame(Side side) {
 
 std::vector<std::uint8_t> Outside::ask(std::span<const std::uint8_t> request) {
   terminal_.write(request);
-  return read_frame(Side::Reply);
+  try {
+    return read_frame(Side::Reply);
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(fmt::format("{} to {:02x}", error.what(), fmt::join(request, " ")));
+  }
 }
 
 std::vector<std::uint8_t> Outside::next_request() { return read_frame(Side::Request); }

@@ -18,6 +18,7 @@ inline constexpr int kBitDevices = RUNG_OF_CONFIG(BIT_DEVICES_, RUNG_CONFIG);
 inline constexpr int kWordDevices = RUNG_OF_CONFIG(WORD_DEVICES_, RUNG_CONFIG);
 inline constexpr int kBitPoints = RUNG_OF_CONFIG(BIT_POINTS_, RUNG_CONFIG);
 inline constexpr int kWordPoints = RUNG_OF_CONFIG(WORD_POINTS_, RUNG_CONFIG);
+inline constexpr bool kFlow = RUNG_OF_CONFIG(FLOW_, RUNG_CONFIG) != 0;  // has flow tasks
 inline constexpr std::string_view kConfig = RUNG_STRING_OF(RUNG_CONFIG);
 
 inline int config_id() {

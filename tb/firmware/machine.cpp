@@ -76,6 +76,15 @@ void Machine::write(std::uint16_t address, std::uint16_t value) {
   }
 }
 
+namespace {
+
+bool of_flow(int number) {
+  const int n = number - flow::reg_flow_pc_resource;
+  return kFlow && n >= 0 && n < flow::holding_flow_count;
+}
+
+}  // namespace
+
 std::uint16_t Machine::read_register(int number) {
   const auto wide = [&](std::uint32_t value) {
     held_ = static_cast<std::uint16_t>(value >> 16U);
@@ -142,6 +151,7 @@ std::uint16_t Machine::read_register(int number) {
     default:
       break;
   }
+  if (of_flow(number)) return flow_registers.at(number - flow::reg_flow_pc_resource);
   if (number >= c::reg_inputs && number < c::reg_outputs + 4)
     return static_cast<std::uint16_t>(0x1100 + number);
   ADD_FAILURE() << "read of register " << number;
@@ -223,6 +233,10 @@ void Machine::write_register(int number, std::uint16_t value) {
     line_settings[static_cast<std::uint16_t>(number)] = value;
     return;
   }
+  if (of_flow(number)) {
+    flow_registers.at(number - flow::reg_flow_pc_resource) = value;
+    return;
+  }
   EXPECT_TRUE(number >= c::reg_exchange_write_first && number <= c::reg_exchange_or) << number;
 }
 
@@ -257,6 +271,10 @@ void Machine::load_data(std::uint16_t value) {
     case c::space_setup:
       return put(setup);
     default:
+      if (kFlow && load_space_ >= flow::space_flow_steps) {
+        flow_spaces[load_space_][static_cast<int>(place)] = value;
+        return;
+      }
       ADD_FAILURE() << "load space " << load_space_;
   }
 }

@@ -11,6 +11,7 @@
 
 #include "flash.hpp"
 #include "rung_controller.hpp"
+#include "rung_flow.hpp"
 
 namespace rung::tb {
 
@@ -29,6 +30,9 @@ class Machine {
   // The processor's and the controller's state
   Words bits, words, bit_map, word_map, io, setup = Words(256), forces = Words(256);
   std::map<int, std::uint16_t> steps;  // by load address
+  // Of flow tasks: what is loaded, by space; their registers, all of them plain memory
+  std::map<int, std::map<int, std::uint16_t>> flow_spaces;
+  std::array<std::uint16_t, flow::holding_flow_count> flow_registers{};
   std::uint16_t steps_count = 0, ports = 0;
   int state = 0, fault = 0;
   bool run_switch = true, next_is_first = false, exchange_offered = true;

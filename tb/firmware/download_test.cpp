@@ -102,7 +102,8 @@ TEST_F(Download, WhatIsWrongChangesNothing) {
   refused(with([](LoadFile& f) { f.mpu = 2; }), 4);
   refused(with([](LoadFile& f) { f.chunks = 9; }), 6);
   refused(with([](LoadFile& f) { f.chunks = 0; }), 6);
-  refused(with([](LoadFile& f) { f.record(12, 0, {1}); }), 6);
+  // With flow tasks there is no space without a meaning.
+  if (!kFlow) refused(with([](LoadFile& f) { f.record(12, 0, {1}); }), 6);
   refused(with([](LoadFile& f) { f.record(c::space_words, 0, {}); }), 6);
   refused(with([](LoadFile& f) { f.record(c::space_keep, 64, {1}); }), 6);
   refused(with([](LoadFile& f) { f.record(c::space_keep, 0x10000, {1}); }), 6);

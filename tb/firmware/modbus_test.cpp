@@ -318,9 +318,11 @@ TEST_F(Modbus, Registers) {
   EXPECT_EQ(read(c::holding_identity + 6, 2), (Words{0, 0})) << "between registers";
   EXPECT_EQ(ask(pdu(4, {c::holding_identity, 1})), (Bytes{4, 2, 0x52, 0x47}));
   EXPECT_EQ(exception(pdu(1, {c::holding_identity, 1})), 2);
-  EXPECT_EQ(exception(pdu(3, {c::holding_window + 63, 1})), 0);
-  EXPECT_EQ(exception(pdu(3, {c::holding_window + 63, 2})), 2);
-  EXPECT_EQ(exception(pdu(3, {c::holding_window + 64, 1})), 2);
+  const int last =
+      kFlow ? flow::holding_flow + flow::holding_flow_count - 1 : c::holding_window + 63;
+  EXPECT_EQ(exception(pdu(3, {u16(last), 1})), 0);
+  EXPECT_EQ(exception(pdu(3, {u16(last), 2})), 2);
+  EXPECT_EQ(exception(pdu(3, {u16(last + 1), 1})), 2);
   // Not to be written
   for (const int address : {c::holding_identity, c::holding_state, c::holding_force_list,
                             c::holding_load_state, c::holding_identity + 6}) {

@@ -20,8 +20,6 @@ namespace rung::tb {
 namespace {
 
 constexpr int kPatienceMs = 30'000;  // a Python program starts within
-constexpr int kAnswerMs = 10'000;
-constexpr int kTries = 6;
 constexpr int kSliceMs = 20;
 constexpr std::uint8_t kException = 0x80;
 
@@ -83,8 +81,8 @@ Outside::~Outside() {
   if (output_ >= 0) ::close(output_);
 }
 
-std::vector<std::uint8_t> Outside::read_frame(Side side, int patience_ms) {
-  for (int waited = 0; waited <= patience_ms; waited += kSliceMs) {
+std::vector<std::uint8_t> Outside::read_frame(Side side) {
+  for (int waited = 0; waited <= kPatienceMs; waited += kSliceMs) {
     const std::size_t length = frame_length(heard_, side == Side::Reply);
     if (length != 0 && heard_.size() >= length) {
       const auto end = heard_.begin() + static_cast<std::ptrdiff_t>(length);
@@ -106,24 +104,16 @@ std::vector<std::uint8_t> Outside::read_frame(Side side, int patience_ms) {
                             ended ? fmt::format(", it has ended ({:#x})", status) : ""));
 }
 
-// A pymodbus server has been seen to leave a request without an answer, once in some thousands.
-// That is not the panel's doing, whose clock stands still meanwhile: it is asked again.
 std::vector<std::uint8_t> Outside::ask(std::span<const std::uint8_t> request) {
-  for (int tries = 1;; ++tries) {
-    heard_.clear();
-    terminal_.write(request);
-    try {
-      return read_frame(Side::Reply, kAnswerMs);
-    } catch (const std::runtime_error& error) {
-      if (tries == kTries) {
-        throw std::runtime_error(
-            fmt::format("{} to {:02x}", error.what(), fmt::join(request, " ")));
-      }
-    }
+  terminal_.write(request);
+  try {
+    return read_frame(Side::Reply);
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(fmt::format("{} to {:02x}", error.what(), fmt::join(request, " ")));
   }
 }
 
-std::vector<std::uint8_t> Outside::next_request() { return read_frame(Side::Request, kPatienceMs); }
+std::vector<std::uint8_t> Outside::next_request() { return read_frame(Side::Request); }
 
 void Outside::answer(std::span<const std::uint8_t> bytes) { terminal_.write(bytes); }
 

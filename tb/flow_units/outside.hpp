@@ -24,7 +24,7 @@ class Outside {
   Outside(const Outside&) = delete;
   Outside& operator=(const Outside&) = delete;
 
-  // A request for a server: its answer. Throws std::runtime_error if there is none within a minute.
+  // A request for a server: its answer. Throws std::runtime_error if there is none within seconds.
   std::vector<std::uint8_t> ask(std::span<const std::uint8_t> request);
   // The next request of a client, which comes as soon as it has its answer.
   std::vector<std::uint8_t> next_request();
@@ -34,7 +34,7 @@ class Outside {
 
  private:
   enum class Side : std::uint8_t { Request, Reply };
-  std::vector<std::uint8_t> read_frame(Side side, int patience_ms);
+  std::vector<std::uint8_t> read_frame(Side side);
 
   std::string script_;
   device::PseudoTerminal terminal_;

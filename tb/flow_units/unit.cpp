@@ -11,6 +11,7 @@ namespace {
 // Milliseconds between the end of an answer and the PC's next request: the silence of RTU and a
 // little of its own.
 constexpr double kPcPauseMs = 1;
+constexpr std::uint64_t kSilence = 4;  // characters, inside no frame
 
 std::size_t flash_bytes() {
   const controller::Board& board = controller::boards().front();
@@ -94,7 +95,12 @@ void FlowUnit::after(std::uint64_t now) {
 }
 
 void FlowUnit::serve_panel(std::uint64_t now) {
-  for (const std::uint8_t byte : panel_line_.take()) asked_.push_back(byte);
+  for (const std::uint8_t byte : panel_line_.take()) {
+    asked_.push_back(byte);
+    asked_at_ = now;
+  }
+  // A request that was cut short ends with silence.
+  if (now - asked_at_ > kSilence * panel_line_.character_clocks()) asked_.clear();
   const std::size_t length = frame_length(asked_, false);
   if (length != 0 && asked_.size() >= length) {
     if (!panel_silent_) {

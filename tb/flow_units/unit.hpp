@@ -67,6 +67,7 @@ class FlowUnit {
   double least_ms_ = 0, most_ms_ = 0;
   bool panel_silent_ = false;
   std::vector<std::uint8_t> asked_;
+  std::uint64_t asked_at_ = 0;
   std::vector<std::uint8_t> answer_;  // for the panel's line, at answer_at_
   std::uint64_t answer_at_ = 0;
   std::int64_t panel_answers_ = 0;

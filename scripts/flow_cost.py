@@ -63,8 +63,9 @@ Area of each part on an ECP5 (LUT4 after synthesis with the modules kept):
 {shown(["part", "LUT4", "flip-flops", "block RAMs"], rows)}
 All of it together, flattened and routed alone on {design.board.title}: {whole["logic_cells"]} logic cells of
 {whole["logic_cells_available"]}, {whole["block_rams"]} block RAMs of {whole["block_rams_available"]}; {fmax["median"]} MHz (median of seeds
-{", ".join(fmax["seeds"])}: {", ".join(str(mhz) for mhz in fmax["seeds"].values())}). Yosys {yosys_version()}, {nextpnr_version(design.board.family.nextpnr)}.
-With a processor and the controller around it: [boards.md](boards.md).
+{", ".join(fmax["seeds"])}: {", ".join(str(mhz) for mhz in fmax["seeds"].values())}). {yosys_version()}, {nextpnr_version(design.board.family.nextpnr)}.
+The figures above are for a processor at 100 MHz; at another clock their clocks take that much longer. With a processor and the
+controller around it, at the board's clock: [boards.md](boards.md).
 
 Clocks at the most, whatever the number of tasks, as the bound has them ([flow.toml](../hdl/isa/flow.toml)); the exact ones of
 every case are in [hdl/flow/README.md](../hdl/flow/README.md), and a test asserts each:

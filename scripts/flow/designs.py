@@ -128,6 +128,6 @@ def flow_tasks_design() -> Design:
     hdl = tools.ROOT / "hdl"
     board = Board("flow_block", "ECP5-85F grade 6, out of context", ECP5, (*ULX3S_85F, "--out-of-context"), None,
                   100, "ecp5")
-    sources = [*sorted((hdl / "flow").glob("*.v")), hdl / "core" / "bank_ram.v",
-               hdl / "peripherals" / "uart_rx.v", hdl / "peripherals" / "uart_tx.v"]
+    others = ("core/bank_ram", "controller/host_uart", "peripherals/uart_rx", "peripherals/uart_tx")
+    sources = [*sorted((hdl / "flow").glob("*.v")), *(hdl / f"{name}.v" for name in others)]
     return Design(board.name, board.name, tuple(sources), (tools.GENERATED, hdl / "flow"), (), board)

@@ -138,7 +138,7 @@ class Bench {
     result.ladder_clocks = measured_.bound.ladder;
     system_.forget_most_round(1);
     const std::int64_t answers = system_.panel_answers(1);
-    FlowProbe probe(system_, mode_ != FlowMode::Sampled, seed);
+    FlowProbe probe(system_, mode_ != FlowMode::Sampled, mode_ == FlowMode::Waiting, seed);
     for (int i = 0; i < inputs || i % 2 != 0; ++i) {
       const FlowResponse response = probe.input();
       if (milliseconds(response) < milliseconds(result.least)) result.least = response;

@@ -65,7 +65,7 @@ class Faults : public testing::Test {
       system_->load(static_cast<int>(i) + 1, built.words);
       if (i == 0) bound_ = built.bound;
     }
-    probe_ = std::make_unique<FlowProbe>(*system_, false, 1);
+    probe_ = std::make_unique<FlowProbe>(*system_, false, false, 1);
   }
 
   void expect_in_time() {

@@ -18,6 +18,8 @@ namespace {
 using rung::tb::FlowMode;
 using rung::tb::FlowResult;
 
+constexpr std::string_view kModeLetters = "abc";
+
 // All scenarios of one mode and number of tasks.
 struct Group {
   FlowMode mode;
@@ -25,12 +27,16 @@ struct Group {
   std::uint64_t seed;
 };
 
-std::vector<Group> all_groups(int inputs, int waiting_inputs, std::uint64_t seed) {
+std::vector<Group> all_groups(const std::string& modes, int inputs, int waiting_inputs,
+                              std::uint64_t seed) {
   std::vector<Group> groups;
+  std::uint64_t number = 0;
   for (const FlowMode mode : {FlowMode::Suspended, FlowMode::Sampled, FlowMode::Waiting}) {
     for (const int tasks : rung::tb::kTaskCounts) {
       const bool waiting = mode == FlowMode::Waiting;
-      groups.push_back({mode, tasks, waiting ? waiting_inputs : inputs, seed + groups.size()});
+      const Group group{mode, tasks, waiting ? waiting_inputs : inputs, seed + number++};
+      if (modes.find(kModeLetters[static_cast<std::size_t>(mode)]) != std::string::npos)
+        groups.push_back(group);
     }
   }
   return groups;
@@ -40,7 +46,7 @@ std::vector<Group> all_groups(int inputs, int waiting_inputs, std::uint64_t seed
 
 int main(int argc, char** argv) {
   CLI::App app{"The experiment of flow tasks"};
-  std::string date, page, data;
+  std::string date, page, data, modes(kModeLetters);
   int inputs = 1000, waiting_inputs = 50, jobs = 2;
   std::uint64_t seed = 1;
   std::size_t only = 0;
@@ -50,6 +56,7 @@ int main(int argc, char** argv) {
   app.add_option("--inputs", inputs)->capture_default_str()->check(CLI::Range(1, 1'000'000));
   app.add_option("--waiting-inputs", waiting_inputs, "of each scenario with suspension off")
       ->capture_default_str();
+  app.add_option("--modes", modes, "of a, b and c: a part of the report")->capture_default_str();
   app.add_option("--jobs", jobs)->capture_default_str()->check(CLI::Range(1, 64));
   app.add_option("--seed", seed)->capture_default_str();
   app.add_option("--only", only,
@@ -57,7 +64,7 @@ int main(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
 
   const auto start = std::chrono::steady_clock::now();
-  const std::vector<Group> groups = all_groups(inputs, waiting_inputs, seed);
+  const std::vector<Group> groups = all_groups(modes, inputs, waiting_inputs, seed);
   std::vector<FlowResult> results;
   std::atomic<std::size_t> next = only == 0 ? 0 : only - 1;
   const std::size_t end = only == 0 ? groups.size() : std::min(only, groups.size());
@@ -66,8 +73,9 @@ int main(int argc, char** argv) {
   const auto work = [&] {
     for (std::size_t i = next++; i < end && !failed; i = next++) {
       const Group& group = groups[i];
-      const std::string name = fmt::format("{} of {}: mode {}, {} tasks", i + 1, groups.size(),
-                                           "abc"[static_cast<int>(group.mode)], group.tasks);
+      const std::string name =
+          fmt::format("{} of {}: mode {}, {} tasks", i + 1, groups.size(),
+                      kModeLetters[static_cast<std::size_t>(group.mode)], group.tasks);
       try {
         const auto found =
             rung::tb::run_flow_cells(group.mode, group.tasks, group.inputs, group.seed);

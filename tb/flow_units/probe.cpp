@@ -14,7 +14,8 @@ double per_ms() { return static_cast<double>(FlowSystem::clocks_per_ms()); }
 }  // namespace
 
 double milliseconds(const FlowResponse& response) {
-  return response.polled_ms + static_cast<double>(response.clocks) / (1000 * kMhz);
+  return response.polled_ms + response.waited_ms +
+         static_cast<double>(response.clocks) / (1000 * kMhz);
 }
 
 FlowResponse FlowProbe::input() {
@@ -37,8 +38,13 @@ FlowResponse FlowProbe::edge(bool level) {
     while (system_.filtered(1, 0) != level) step(start);
     seen = system_.now();
   }
-  while (system_.output(1, 0) != level) step(start);
-  return {static_cast<double>(seen - start) / per_ms(), system_.now() - seen};
+  std::uint64_t waited = 0;
+  while (system_.output(1, 0) != level) {
+    step(start);
+    if (waits_ && system_.panel_under_way(1)) ++waited;
+  }
+  return {static_cast<double>(seen - start) / per_ms(), static_cast<double>(waited) / per_ms(),
+          system_.now() - seen - waited};
 }
 
 void FlowProbe::step(std::uint64_t start) {

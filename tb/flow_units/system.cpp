@@ -156,5 +156,6 @@ std::int64_t FlowSystem::pc_done(int unit) {
   return done;
 }
 std::int64_t FlowSystem::panel_answers(int unit) const { return at(unit).panel_answers(); }
+bool FlowSystem::panel_under_way(int unit) const { return at(unit).panel_under_way(); }
 
 }  // namespace rung::tb

@@ -71,6 +71,8 @@ class FlowSystem {
   std::int64_t pc_done(int unit);
   const std::vector<std::string>& complaints() const { return complaints_; }
   std::int64_t panel_answers(int unit) const;
+  // From a request's first byte to the last of its answer.
+  bool panel_under_way(int unit) const;
 
  private:
   FlowUnit& at(int unit) { return *units_.at(static_cast<std::size_t>(unit - 1)); }

@@ -45,6 +45,9 @@ class FlowUnit {
   std::uint64_t most_round_clocks() const { return most_round_clocks_; }
   void forget_most_round() { most_round_clocks_ = 0; }
   std::int64_t panel_answers() const { return panel_answers_; }
+  bool panel_under_way() const {
+    return !asked_.empty() || !answer_.empty() || panel_line_.sending();
+  }
   // What the PC has said since the last call.
   std::vector<std::string> pc_said() { return pc_ ? pc_->said() : std::vector<std::string>{}; }
   bool has_pc() const { return pc_ != nullptr; }

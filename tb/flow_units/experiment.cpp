@@ -32,7 +32,8 @@ constexpr int kDensity = 30;
 std::string map_text(FlowMode mode) {
   return fmt::format(
       "board = 'simulated'\n[controller]\nexchange_points = 64\nfilter_us = 1000\nwatchdog_ms = 0\n"
-      "[modbus]\nbaud = 115200\n[flow]\nsuspend = {}\nlink_timeout_ms = 1000\npanel_unit = {}\n",
+      "[modbus]\nbaud = 57600\n[flow]\nsuspend = {}\nlink_timeout_ms = 1000\npanel_unit = {}\n"
+      "panel_baud = 57600\n",
       mode != FlowMode::Waiting, kPanelUnit);
 }
 

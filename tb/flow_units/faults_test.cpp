@@ -55,8 +55,9 @@ class Faults : public testing::Test {
   void start(const std::vector<std::string>& programs) {
     system_ = std::make_unique<FlowSystem>(static_cast<int>(programs.size()), 1);
     const std::string map = fmt::format(
-        "board = 'simulated'\n[controller]\nexchange_points = 64\n[modbus]\nbaud = 115200\n"
-        "[flow]\nlink_timeout_ms = {}\npanel_timeout_ms = {}\npanel_unit = {}\n",
+        "board = 'simulated'\n[controller]\nexchange_points = 64\n[modbus]\nbaud = 57600\n"
+        "[flow]\nlink_timeout_ms = {}\npanel_timeout_ms = {}\npanel_unit = {}\n"
+        "panel_baud = 57600\n",
         kLinkTimeoutMs, kPanelTimeoutMs, kPanelUnit);
     for (std::size_t i = 0; i < programs.size(); ++i) {
       const std::string file = folder_.put(fmt::format("unit{}.flow", i + 1), programs[i]);

@@ -18,7 +18,7 @@ def main(tty: str, unit: str) -> None:
     # Register n holds 1000 + n at first.
     block = ModbusSequentialDataBlock(1, [1000 + n for n in range(REGISTERS)])
     context = ModbusServerContext(devices={int(unit): ModbusDeviceContext(hr=block)}, single=False)
-    StartSerialServer(context, framer=FramerType.RTU, port=tty, baudrate=115200, timeout=0.01)
+    StartSerialServer(context, framer=FramerType.RTU, port=tty, baudrate=57600, timeout=0.01)
 
 
 main(*sys.argv[1:])

@@ -39,7 +39,7 @@ def command(client: ModbusSerialClient, unit: int, board: int, first: int, count
 
 
 def main(tty: str, *what: str) -> None:
-    client = ModbusSerialClient(tty, framer=FramerType.RTU, baudrate=115200, timeout=300, retries=0)
+    client = ModbusSerialClient(tty, framer=FramerType.RTU, baudrate=57600, timeout=300, retries=0)
     client.connect()
     while True:
         got = command(client, *map(int, what))

@@ -20,7 +20,7 @@ target_include_directories(rung_options_plain INTERFACE
 set(RUNG_ALONE rung_lower)
 foreach(source
     compiler/source/write_file compiler/image/frame compiler/trace/read_trace compiler/melsec/unsupported
-    compiler/reference/ldmicro_timers tb/agree/ldmicro_case
+    compiler/reference/ldmicro_timers compiler/flowchart/logic tb/agree/ldmicro_case
     tb/programs/ldmicro_elements tb/programs/ldmicro_stimulus tb/programs/melsec_operands
     tb/programs/melsec_stimulus tb/programs/random_ldmicro tb/programs/random_melsec
     tb/programs/shrink_ldmicro)

@@ -7,6 +7,7 @@
 #include "image/image_file.hpp"
 #include "load/flow_bound.hpp"
 #include "load/load_file.hpp"
+#include "prove/prove.hpp"
 #include "rung_controller.hpp"
 #include "source/text_file.hpp"
 
@@ -32,8 +33,23 @@ load::FlowBound flow_bound_of(const image::Image& image, const std::optional<Bou
   return load::flow_bound(image, bound ? load::phases_of(bound->timing, image) : load::Phases{});
 }
 
+nlohmann::ordered_json to_json(const prove::Proof& proof) {
+  nlohmann::ordered_json open = nlohmann::ordered_json::array();
+  for (const prove::Finding& finding : proof.findings) {
+    if (!finding.wrong) open.push_back(finding.what);
+  }
+  return {{"writes", proof.writes},
+          {"proven", proof.proven},
+          {"wrong", proof.wrong()},
+          {"not_proven", open},
+          {"by_structure", proof.effort.structure},
+          {"by_solver", proof.effort.solver},
+          {"terms", proof.terms},
+          {"seconds", proof.seconds}};
+}
+
 std::string to_json(const Compiled& compiled, const std::optional<Bound>& bound,
-                    const Options& options) {
+                    const std::optional<prove::Proof>& proof, const Options& options) {
   const image::Image& image = compiled.image;
   const image::Statistics& s = image.statistics;
   nlohmann::ordered_json out;
@@ -64,6 +80,7 @@ std::string to_json(const Compiled& compiled, const std::optional<Bound>& bound,
                        {"above_lower_bound", r.steps - r.lower_bound}};
   }
   if (bound) out["controller"] = to_json(*bound);
+  if (proof) out["proof"] = to_json(*proof);
   if (image.flow) {
     out["flow"] = load::to_json(flow_bound_of(image, bound), *image.flow, clock_of(options, image));
   }
@@ -121,6 +138,17 @@ int compile_command(const Options& given) {
   }
   const auto compiled = compile_input(*input, options, diagnostics);
   if (!compiled) return report(diagnostics);
+  std::optional<prove::Proof> proof;
+  if (options.prove) {
+    proof = prove::prove(compiled->image, compiled->meanings);
+    prove::report(*proof, compiled->image, compiled->meanings, diagnostics);
+    // Nothing is written of what is not proven; the numbers still are.
+    if (!proof->holds()) {
+      fmt::print("{}", options.json ? to_json(*compiled, std::nullopt, proof, options)
+                                    : prove::to_string(*proof));
+      return report(diagnostics);
+    }
+  }
   std::optional<Bound> bound;
   if (map || options.bindings || !options.load_file.empty()) {
     bound = bind_image(compiled->image, map, options, diagnostics);
@@ -133,16 +161,16 @@ int compile_command(const Options& given) {
     return report(diagnostics);
   }
   if (options.json) {
-    fmt::print("{}", to_json(*compiled, bound, options));
+    fmt::print("{}", to_json(*compiled, bound, proof, options));
   } else if (options.listing) {
     fmt::print("{}", image::listing(compiled->image));
   } else if (options.bindings) {
     fmt::print("{}", io::table(bound->bindings, bound->subject));
   } else if (options.output != "-" && options.load_file != "-") {
     fmt::print(
-        "{}{}",
+        "{}{}{}",
         compiled->image.flow ? flow_summary(compiled->image, bound, options) : summary(*compiled),
-        map ? load::to_string(bound->timing) : "");
+        map ? load::to_string(bound->timing) : "", proof ? prove::to_string(*proof) : "");
   }
   return report(diagnostics);
 }

@@ -31,6 +31,10 @@ void define_compile(CLI::App& app, Options& options) {
   listing->excludes(dump);
   command->add_option("--seed", options.seed, "of the search for a schedule")
       ->capture_default_str();
+  command
+      ->add_flag("--prove", options.prove,
+                 "prove that the code does what the program says, for every start of a scan")
+      ->excludes(dump);
   command->add_flag("--bindings", options.bindings, "print what is bound where")
       ->excludes(json)
       ->excludes(listing)

@@ -49,6 +49,7 @@ struct Options {
   bool listing = false;
   std::string dump;
   std::uint64_t seed = 1;
+  bool prove = false;
   bool bindings = false;
   std::string load_file;
   std::optional<std::int64_t> clock_hz;  // of the controller; else the configuration's

@@ -5,6 +5,7 @@
 
 #include "driver/passes.hpp"
 #include "driver/peripherals.hpp"
+#include "image/frame.hpp"
 #include "lower/lower.hpp"
 
 namespace rung {
@@ -72,6 +73,9 @@ std::optional<Compiled> compile(const Program& program, const CompileOptions& op
   passes::check_size(program.file, "word devices", statistics.word_devices,
                      options.config->word_devices, *options.config, diagnostics);
   if (diagnostics.error_count() > errors) return std::nullopt;
+  const image::Addresses addresses(program, lowered.program, *options.config);
+  compiled.meanings.push_back(image::meaning(program, lowered.program, addresses.devices()));
+  compiled.meanings[0].end_step = static_cast<int>(compiled.image.steps.size());
   return compiled;
 }
 

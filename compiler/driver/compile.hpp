@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "image/image.hpp"
+#include "image/meaning.hpp"
 #include "schedule/schedule.hpp"
 
 namespace rung {
@@ -21,6 +22,7 @@ struct CompileOptions {
 struct Compiled {
   image::Image image;
   std::optional<schedule::Report> schedule;  // of MPU2 and MPU3
+  std::vector<image::Meaning> meanings;      // of the image's routines, in their order
 };
 
 // Nothing, with errors, when the program does not fit the configuration. Every pass is verified;

@@ -22,6 +22,7 @@ using passes::Plan;
 
 // Hidden devices of the steps, by place: above all numbers of the lowering.
 constexpr std::uint32_t kPool = 1U << 23U;
+constexpr std::uint32_t kAliases = 1U << 24U;
 
 class FlowCompiler {
  public:
@@ -109,6 +110,21 @@ class FlowCompiler {
     }
   }
 
+  // Where a routine's devices are: those of all, and its own instead of the pool.
+  std::map<Device, int> places_of(std::size_t routine) const {
+    std::map<Device, int> out = views_[routine].devices();
+    for (const auto& [device, address] : common_->devices()) {
+      if (is_hidden(device.kind) && device.number >= kPool) continue;
+      // A hidden device of the ladder's may have the number of one of the step's: under another
+      // number it still stands there as one that the step may not touch.
+      const bool fresh = out.emplace(device, address).second;
+      if (!fresh && out.at(device) != address) {
+        out.emplace(Device{device.kind, device.number + kAliases}, address);
+      }
+    }
+    return out;
+  }
+
   void plan(bool fuse) {
     plans_.clear();
     plans_.reserve(lowered_.size());
@@ -129,6 +145,7 @@ class FlowCompiler {
     image::FlowImage flow =
         flow_parts::tables(chart_, [&](Device device) { return int{common_->of(device)}; });
     image::Rows rows;
+    std::vector<image::Meaning> meanings;
     int temporaries = 0;
     int origin = 0;
     for (std::size_t i = 0; i < lowered_.size(); ++i) {
@@ -144,8 +161,15 @@ class FlowCompiler {
         routine = image::assemble_routine(program, views_[i], config);
       }
       image::append(image, routine, origin);
+      const int first_origin = origin;
       origin += static_cast<int>(lowered_[i].source.instructions.size());
       const int end = static_cast<int>(image.steps.size());
+      image::Meaning meaning = image::meaning(lowered_[i].source, program, places_of(i));
+      meaning.first_step = entry;
+      meaning.end_step = end;
+      meaning.first_origin = first_origin;
+      if (i > 0) meaning.step = chart_.steps[i - 1].name;
+      meanings.push_back(std::move(meaning));
       if (i == 0) {
         image.clocks = routine.clocks;
         flow.ladder_steps = end;
@@ -160,6 +184,7 @@ class FlowCompiler {
     image.statistics.bit_devices += temporaries;
     image.flow = std::move(flow);
     compiled_.image = std::move(image);
+    compiled_.meanings = std::move(meanings);
     if (slots()) compiled_.schedule = plans_[0].report;
     return rows.fit();
   }

@@ -146,6 +146,14 @@ Image start_image(const Program& source, const core::Program& program, const Add
   return image;
 }
 
+Meaning meaning(const Program& source, const core::Program& program, std::map<Device, int> places) {
+  Meaning out;
+  out.program = program;
+  out.places = std::move(places);
+  for (const Network& network : source.networks) out.rungs.push_back(network.first);
+  return out;
+}
+
 void set_sources(SlotInstruction& out, const core::WordSource& first,
                  const core::WordSource& second, const Addresses& addresses) {
   const bool one_operand = out.opcode == isa::Opcode::Mv || out.opcode == isa::Opcode::Stx;

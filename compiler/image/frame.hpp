@@ -7,6 +7,7 @@
 #include <set>
 
 #include "image/image.hpp"
+#include "image/meaning.hpp"
 
 namespace rung::image {
 
@@ -77,6 +78,9 @@ void append(Image& image, const Routine& routine, int first_origin);
 // An image without instructions.
 Image start_image(const Program& source, const core::Program& program, const Addresses& addresses,
                   const isa::Config& config, isa::Mpu mpu);
+
+// What a routine is to do, for a check of the image; where it stands is the caller's to say.
+Meaning meaning(const Program& source, const core::Program& program, std::map<Device, int> places);
 
 // Fields of a word operation from its two sources; one of them is a device, but for MV, which has
 // only the second.

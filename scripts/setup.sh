@@ -27,7 +27,7 @@ venv=$build/venv
 
 build_packages=(g++ tcc cmake ninja-build ccache verilator python3 python3-pycparser zlib1g-dev
                 libgtest-dev libcli11-dev libfmt-dev nlohmann-json3-dev libutfcpp-dev
-                libtomlplusplus-dev libmodbus-dev
+                libtomlplusplus-dev libmodbus-dev libcpp-httplib-dev
                 gcc-avr avr-libc libsimavr-dev)
 # gcc preprocesses the controller's firmware, pycparser reads it (scripts/gen_firmware.py).
 venv_packages=(python3 python3-venv python3-pycparser gcc ca-certificates)

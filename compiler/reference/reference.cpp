@@ -86,6 +86,7 @@ void Reference::begin_scan() {
   relay_ = true;
   forks_.clear();
   sent_.clear();
+  if (seen_ != nullptr) seen_->assign(program_.instructions.size(), {});
 }
 
 bool Reference::step() {
@@ -95,8 +96,21 @@ bool Reference::step() {
     now_.blocks.clear();
     now_.branches.clear();
   }
-  execute(program_.instructions[current_]);
+  if (seen_ == nullptr) {
+    execute(program_.instructions[current_]);
+  } else {
+    execute_seen(program_.instructions[current_]);
+  }
   return true;
+}
+
+void Reference::execute_seen(const Instruction& instruction) {
+  const bool rail = power();
+  execute(instruction);
+  const bool conducts = instruction.op == Op::Stl    ? now_.state_power
+                        : is_contact(instruction.op) ? closed_
+                                                     : now_.result;
+  seen_->at(current_) = {true, rail, conducts};
 }
 
 void Reference::execute(const Instruction& instruction) {

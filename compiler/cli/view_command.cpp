@@ -12,6 +12,7 @@
 #include "melsec/melsec.hpp"
 #include "source/text_file.hpp"
 #include "view/board_engine.hpp"
+#include "view/inside_engine.hpp"
 #include "view/page_files.hpp"
 #include "view/processor_engine.hpp"
 #include "view/server.hpp"
@@ -53,7 +54,8 @@ std::optional<Subject> read_example(const Options& options, Diagnostics& diagnos
   return subject;
 }
 
-std::optional<Subject> read_subject(const Options& options, Diagnostics& diagnostics) {
+// `options` gets the configuration of an I/O map.
+std::optional<Subject> read_subject(Options& options, Diagnostics& diagnostics) {
   if (options.program.empty()) return read_example(options, diagnostics);
   if (options.program == "-") throw UsageError("view: give the program as a file");
   const auto map = read_io(options, diagnostics);
@@ -75,7 +77,7 @@ std::optional<Subject> read_subject(const Options& options, Diagnostics& diagnos
   return subject;
 }
 
-std::unique_ptr<view::Engine> make_processor(const Subject& subject, Options options, int mpu) {
+image::Image compile_for(const Subject& subject, Options options, int mpu) {
   options.mpu = std::to_string(mpu);
   Diagnostics diagnostics;
   auto compiled = compile_input(subject.input, options, diagnostics);
@@ -84,8 +86,14 @@ std::unique_ptr<view::Engine> make_processor(const Subject& subject, Options opt
     throw std::runtime_error(fmt::format("MPU{} does not take this program: line {}: {}", mpu,
                                          first.position.line, first.what));
   }
-  return tb::make_processor_engine(*subject.input.program, std::move(compiled->image),
-                                   subject.tick_us);
+  return std::move(compiled->image);
+}
+
+std::unique_ptr<view::Engine> make_inside(const Subject& subject, Options options) {
+  options.config = tb::kInsideConfig;
+  std::vector<image::Image> images;
+  for (const int mpu : {1, 2, 3}) images.push_back(compile_for(subject, options, mpu));
+  return tb::make_inside_engine(*subject.input.program, std::move(images), subject.tick_us);
 }
 
 std::unique_ptr<view::Run> make_run(const Subject& subject, const Options& options) {
@@ -104,7 +112,7 @@ std::unique_ptr<view::Run> make_run(const Subject& subject, const Options& optio
                                                                        subject.tick_us, config);
                                        });
   }
-  std::vector<std::string> engines{"mpu3", "mpu2", "mpu1", "reference"};
+  std::vector<std::string> engines{"mpu3", "mpu2", "mpu1", "inside", "reference"};
   const int mpu = mpu_of(options).value_or(options.default_mpu);
   const std::string first = mpu == 0 ? "reference" : fmt::format("mpu{}", mpu);
   std::stable_partition(engines.begin(), engines.end(),
@@ -115,7 +123,10 @@ std::unique_ptr<view::Run> make_run(const Subject& subject, const Options& optio
         if (name == "reference") {
           return view::make_reference_engine(*subject.input.program, subject.tick_us);
         }
-        return make_processor(subject, options, name.back() - '0');
+        if (name == "inside") return make_inside(subject, options);
+        return tb::make_processor_engine(*subject.input.program,
+                                         compile_for(subject, options, name.back() - '0'),
+                                         subject.tick_us);
       });
 }
 
@@ -183,7 +194,8 @@ int serve(const Subject& subject, const Options& options) {
 
 }  // namespace
 
-int view_command(const Options& options) {
+int view_command(const Options& given) {
+  Options options = given;
   Diagnostics diagnostics;
   const auto subject = read_subject(options, diagnostics);
   if (!subject) return report(diagnostics);

@@ -14,6 +14,7 @@
 #include "reference/flow_rounds.hpp"
 #include "reference/reference.hpp"
 #include "trace/stimulus.hpp"
+#include "view/recording.hpp"
 
 namespace rung::view {
 
@@ -39,6 +40,12 @@ class Engine {
   // From scan to scan.
   virtual std::int64_t tick_us() const = 0;
   virtual std::optional<FlowTaskState> task(std::size_t /*number*/) const { return std::nullopt; }
+
+  // Of an engine that records what is inside of its processors.
+  virtual const std::vector<RecordedProcessor>& recordings() const {
+    static const std::vector<RecordedProcessor> kNone;
+    return kNone;
+  }
 
   // A controller runs by itself, and keeps its forces itself.
   virtual bool is_live() const { return false; }

@@ -19,4 +19,8 @@ struct FrameState {
 // Nothing if nothing has changed; else `state` is brought up to date.
 std::optional<nlohmann::json> frame_json(Run& run, FrameState& state);
 
+// Of an engine that records: its processors' code, and the clocks of the last scan.
+nlohmann::json code_json(const Run& run);
+nlohmann::json recording_json(const Run& run);
+
 }  // namespace rung::view

@@ -167,6 +167,14 @@ struct Server::Parts {
       });
       response.set_content(history.dump(), "application/json");
     });
+    http.Get("/api/code", [this](const Request&, Response& response) {
+      const json code = session.call([](Run& run) { return code_json(run); });
+      response.set_content(code.dump(), "application/json");
+    });
+    http.Get("/api/recording", [this](const Request&, Response& response) {
+      const json clocks = session.call([](Run& run) { return recording_json(run); });
+      response.set_content(clocks.dump(), "application/json");
+    });
     define_export("vcd", to_vcd, "text/plain");
     define_export("csv", to_csv, "text/csv");
   }

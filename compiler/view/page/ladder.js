@@ -225,7 +225,7 @@ function act(event, menu) {
     if (store.forced.has(device)) command({do: 'force', device, value: store.forced.get(device) ? 0 : 1});
     else command({do: 'toggle', device});
   } else {
-    openMenu(place.what.d, place.node, goTo);
+    openMenu(place.what.d, place.node, goTo, place.what.i);
   }
 }
 

@@ -3,6 +3,7 @@
 import {store, command} from './link.js';
 import {html} from './svg.js';
 import {addToTiming} from './timing.js';
+import {showInstruction} from './inside.js';
 
 let menu, back;
 
@@ -71,9 +72,13 @@ function deviceBlock(device, goTo) {
   return html('section', {}, ...rows);
 }
 
-export function openMenu(devices, anchor, goTo) {
+// `instruction` is the element's, -1 if the menu is of a device alone.
+export function openMenu(devices, anchor, goTo, instruction = -1) {
   back = document.activeElement;
   menu.replaceChildren(...[...new Set(devices)].slice(0, 6).map((device) => deviceBlock(device, goTo)));
+  if (instruction >= 0 && store.model.engines.includes('inside')) {
+    menu.append(html('button', {class: 'link', onclick: () => { close(); showInstruction(instruction); }}, 'Inside the processor'));
+  }
   menu.showPopover();
   const at = anchor.getBoundingClientRect();
   const size = menu.getBoundingClientRect();

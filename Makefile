@@ -172,6 +172,6 @@ report-page: ## reports/index.html from the JSON that the other targets have wri
 	@$(PYTHON) scripts/report_page.py
 
 .PHONY: clean
-clean: ## remove everything built but the Python environments, build/venv and build/clients
+clean: ## remove everything built but what was downloaded: build/venv, build/clients and build/browser
 	@if [ -d build ]; then \
-	  find build -mindepth 1 -maxdepth 1 ! -name venv ! -name clients -exec rm -rf {} +; fi
+	  find build -mindepth 1 -maxdepth 1 ! -name venv ! -name clients ! -name browser -exec rm -rf {} +; fi

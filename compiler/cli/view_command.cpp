@@ -3,6 +3,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <charconv>
 #include <csignal>
 #include <thread>
@@ -23,8 +24,12 @@ namespace {
 
 constexpr const char* kExample = "example: bottling line";
 
-// The program in the order in which its parts must live.
+// The program and its view, which refers to it.
 struct Subject {
+  Subject() = default;
+  Subject(const Subject&) = delete;
+  Subject& operator=(const Subject&) = delete;
+
   Input input;
   std::unique_ptr<view::ProgramView> view;
   std::int64_t tick_us = 10000;
@@ -32,7 +37,7 @@ struct Subject {
 
 // Of a rung, before it is turned.
 int columns_of(const Options& options) {
-  constexpr int kPage = 12, kTerminal = 6;
+  constexpr int kPage = 10, kTerminal = 6;
   return options.text ? kTerminal : kPage;
 }
 
@@ -42,38 +47,39 @@ std::vector<std::string> lines_of(const SourceText& text) {
   return lines;
 }
 
-std::optional<Subject> read_example(const Options& options, Diagnostics& diagnostics) {
-  Subject subject;
+std::unique_ptr<Subject> read_example(const Options& options, Diagnostics& diagnostics) {
+  auto subject = std::make_unique<Subject>();
   const auto list = decode_text(view::example_list(), kExample, diagnostics);
   const auto names = decode_text(view::example_comments(), kExample, diagnostics);
-  subject.input.program = parse_melsec(*list, Dialect::Fx, diagnostics);
-  subject.input.program->comments = *parse_comments(*names, Dialect::Fx, diagnostics);
-  subject.tick_us = tick_of(options, subject.input).value_or(10000);
-  subject.view = std::make_unique<view::ProgramView>(*subject.input.program, lines_of(*list),
-                                                     columns_of(options));
+  subject->input.program = parse_melsec(*list, Dialect::Fx, diagnostics);
+  subject->input.program->comments = *parse_comments(*names, Dialect::Fx, diagnostics);
+  subject->tick_us = tick_of(options, subject->input).value_or(10000);
+  subject->view = std::make_unique<view::ProgramView>(*subject->input.program, lines_of(*list),
+                                                      columns_of(options));
   return subject;
 }
 
 // `options` gets the configuration of an I/O map.
-std::optional<Subject> read_subject(Options& options, Diagnostics& diagnostics) {
+std::unique_ptr<Subject> read_subject(Options& options, Diagnostics& diagnostics) {
   if (options.program.empty()) return read_example(options, diagnostics);
   if (options.program == "-") throw UsageError("view: give the program as a file");
   const auto map = read_io(options, diagnostics);
   auto input = read_input(options, false, std::nullopt, diagnostics);
-  if (!input) return std::nullopt;
+  if (!input) return nullptr;
   check_io(*input, map, options, diagnostics);
-  if (diagnostics.has_errors()) return std::nullopt;
-  Subject subject;
-  subject.input = std::move(*input);
-  subject.tick_us = tick_of(options, subject.input).value_or(10000);
+  if (diagnostics.has_errors()) return nullptr;
+  auto subject = std::make_unique<Subject>();
+  subject->input = std::move(*input);
+  subject->tick_us = tick_of(options, subject->input).value_or(10000);
   // A list's comments and a flow's steps are shown as they stand there.
   std::vector<std::string> lines;
   Diagnostics ignored;
   if (const auto text = read_text(options.program, ignored)) lines = lines_of(*text);
   const int columns = columns_of(options);
-  subject.view = subject.input.flow
-                     ? std::make_unique<view::ProgramView>(*subject.input.flow, lines, columns)
-                     : std::make_unique<view::ProgramView>(*subject.input.program, lines, columns);
+  subject->view =
+      subject->input.flow
+          ? std::make_unique<view::ProgramView>(*subject->input.flow, lines, columns)
+          : std::make_unique<view::ProgramView>(*subject->input.program, lines, columns);
   return subject;
 }
 
@@ -82,9 +88,11 @@ image::Image compile_for(const Subject& subject, Options options, int mpu) {
   Diagnostics diagnostics;
   auto compiled = compile_input(subject.input, options, diagnostics);
   if (!compiled) {
-    const Diagnostic& first = diagnostics.all().front();
+    const auto first =
+        std::find_if(diagnostics.all().begin(), diagnostics.all().end(),
+                     [](const Diagnostic& each) { return each.severity == Severity::Error; });
     throw std::runtime_error(fmt::format("MPU{} does not take this program: line {}: {}", mpu,
-                                         first.position.line, first.what));
+                                         first->position.line, first->what));
   }
   return std::move(compiled->image);
 }

@@ -93,7 +93,7 @@ class Canvas {
   Canvas(const Run& run, const RungView& rung)
       : run_(run),
         rung_(rung),
-        width_(kLeft + 2 + rung.grid.columns * kCell + 1),
+        width_(kLeft + 1 + rung.grid.columns * kCell + 1),
         lines_(static_cast<std::size_t>(rung.grid.rows * kHeight),
                std::vector<Glyph>(static_cast<std::size_t>(width_))) {}
 

@@ -32,9 +32,10 @@ std::string note_between(const std::vector<std::string>& lines, int after, int b
     std::string line = trimmed(lines[static_cast<std::size_t>(i)]);
     const bool comment = line.starts_with(";") || line.starts_with("//");
     if (!comment) continue;
-    const std::size_t text = line.find_first_not_of(";/");
+    // Without what only draws a line: "; --- belt ---"
+    const std::size_t text = line.find_first_not_of(";/-=*# \t");
     if (text == std::string::npos) continue;
-    line = trimmed(line.substr(text));
+    line = line.substr(text, line.find_last_not_of("-=*# \t") - text + 1);
     if (!note.empty()) note += '\n';
     note += line;
   }

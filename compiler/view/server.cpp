@@ -162,8 +162,10 @@ struct Server::Parts {
           }
           rows.push_back({{"device", device}, {"changes", changes}});
         }
-        return json{
-            {"first", run.history().first()}, {"last", run.history().last()}, {"rows", rows}};
+        return json{{"run", run.runs()},
+                    {"first", run.history().first()},
+                    {"last", run.history().last()},
+                    {"rows", rows}};
       });
       response.set_content(history.dump(), "application/json");
     });

@@ -106,9 +106,10 @@ class Session {
   template <typename Job>
   auto call(Job job) {
     using Result = decltype(job(*run_));
-    std::packaged_task<Result()> task([&] { return job(*run_); });
-    auto result = task.get_future();
-    post([&] { task(); });
+    // The session's thread may still be in its end when the result is here.
+    auto task = std::make_shared<std::packaged_task<Result()>>([&] { return job(*run_); });
+    auto result = task->get_future();
+    post([task] { (*task)(); });
     return result.get();
   }
 

@@ -2,7 +2,7 @@
 // The page of `rung view` in a real browser: what a user does, and what a user then sees.
 import assert from 'node:assert/strict';
 import {after, before, test} from 'node:test';
-import {View, becomes, busyProgram, element, openBrowser, openPage, program, request, scans, value, waitScan} from './bench.mjs';
+import {View, becomes, busyProgram, element, openBrowser, openPage, program, request, scans, startController, value, waitScan} from './bench.mjs';
 
 let browser;
 before(async () => { browser = await openBrowser(); });
@@ -32,6 +32,21 @@ test('the ladder is drawn, with names, comments and the source comment', async (
     assert.ok(await element(page, 'coil', 'Y5').isVisible());
     assert.equal(await page.title(), 'motor.il · Rung');
   });
+});
+
+test('the page keeps to its own policy', async () => {
+  const view = await View.start('--listen', '0', ...MOTOR);
+  const context = await browser.newContext();
+  const page = await context.newPage();
+  const faults = [];
+  page.on('console', (message) => { if (message.type() === 'error') faults.push(message.text()); });
+  await page.goto(view.url);
+  await page.locator('.rung').first().waitFor();
+  await page.locator('#tab-timing').click();
+  await page.locator('#timing canvas').waitFor();
+  assert.deepEqual(faults, []);
+  await context.close();
+  assert.equal(await view.stop(), 0, view.errors);
 });
 
 for (const engine of ['1', '2', '3', 'reference']) {
@@ -271,6 +286,54 @@ test('inside the processor: all three, step by step, to the rung and back', asyn
     await page.keyboard.press('m');
     await page.getByText('Inside the processor').last().click();
     assert.ok(await page.locator('.processor').first().isVisible());
+  });
+});
+
+test('a controller through Modbus: watched, set, forced, stopped, and away for a while', async () => {
+  const controller = await startController('cell');
+  await look([controller.program, '--port', `tcp:127.0.0.1:${controller.port}`], async (page) => {
+    await page.waitForFunction(() => /^running/.test(rung.frame.state ?? ''));
+    controller.tell('in0=1');
+    await becomes(page, 'Y0', 1);
+    await page.waitForFunction(() => /powered/.test([...document.querySelectorAll('.element.coil')][0].getAttribute('class')));
+    await element(page, 'contact', 'M0').click();
+    await page.getByText('Set 1').click();
+    await becomes(page, 'Y1', 1);
+    // An input comes from its pin: it can be forced, not set.
+    await element(page, 'contact-not', 'X1').click();
+    await page.getByText('Set 1').click();
+    await page.waitForFunction(() => /force it/.test(rung.frame.message));
+    await element(page, 'contact-not', 'X1').click();
+    await page.getByText('Force 1').click();
+    await becomes(page, 'Y0', 0);
+    await page.waitForFunction(() => rung.forced.size === 1);
+    await page.click('#release-all');
+    await page.waitForFunction(() => rung.forced.size === 0);
+    await page.click('[data-order="stop"]');
+    await page.waitForFunction(() => /^stopped/.test(rung.frame.state));
+    await page.click('[data-order="run"]');
+    await page.waitForFunction(() => /^running/.test(rung.frame.state));
+    await controller.stop();
+    await page.waitForFunction(() => rung.frame.failed);
+    assert.ok(await page.locator('#message.bad').isVisible());
+  });
+});
+
+test('flow tasks are flowcharts, with the step that each is at', async () => {
+  await look([program('lift.flow')], async (page) => {
+    assert.equal(await page.locator('#flow .task').count(), 2);
+    const active = () => page.locator('.step.active .name').allTextContents();
+    await page.click('#step');
+    await page.waitForFunction(() => document.querySelectorAll('.step.active').length === 1);
+    assert.deepEqual(await active(), ['IDLE']);
+    await page.fill('#filter', 'X0');
+    await page.locator('.device').click();
+    for (let i = 0; i < 2; i++) await page.click('#step');
+    await page.waitForFunction(() => document.querySelectorAll('.step.active').length === 2);
+    assert.deepEqual(await active(), ['UP, after its wait', 'LOOK']);
+    await becomes(page, 'Y0', 1);
+    await page.click('#tab-ladder');
+    assert.ok(await element(page, 'coil', 'Y2').isVisible());
   });
 });
 

@@ -135,8 +135,13 @@ class Recorder final : public RecordedProcessor {
 
   void name_devices() {
     const isa::Config& config = processor_.config();
-    for (int i = 0; i < config.bit_devices; ++i) bits_.push_back(fmt::format("bit {}", i));
-    for (int i = 0; i < config.word_devices; ++i) words_.push_back(fmt::format("word {}", i));
+    // The compiler's own as its listing calls them.
+    for (int i = 0; i < config.bit_devices; ++i) {
+      bits_.push_back(fmt::format("t{}", i - image_->first_hidden_bit));
+    }
+    for (int i = 0; i < config.word_devices; ++i) {
+      words_.push_back(fmt::format("w{}", i - image_->first_hidden_word));
+    }
     for (const image::ImageDevice& each : image_->devices) {
       (is_word(each.device) ? words_ : bits_).at(static_cast<std::size_t>(each.address)) =
           each.name;

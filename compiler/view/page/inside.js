@@ -185,7 +185,7 @@ function execute(now, s, steps, mpu, slots) {
   if (row >= 0) {
     const bits = operands.toString(2).padStart(3, '0');
     root.append(html('span', {}, `LUT row ${row}, a b c = ${[...bits].join(' ')}`), lut(row, value, operands));
-  } else if (steps[step][s][0] !== 'NOP' && mpu === 1 && !/[DTCVZ=]/.test(steps[step][s][0].split(' ')[1] ?? '')) {
+  } else if (mpu === 1 && /^(LD|LDI|AND|ANI|OR|ORI) /.test(steps[step][s][0])) {
     root.append(html('span', {}, `device = ${operands & 1}`));
   }
   if (/^(MV|ADD|ADC|SUB|SBC|W|EQ|LT|MUL|DIV|MIN|ROL)/.test(steps[step][s][0])) root.append(html('span', {}, `s1 = ${s1}, s2 = ${s2}`));

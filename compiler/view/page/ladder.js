@@ -6,9 +6,12 @@ import {svg, html, cut} from './svg.js';
 import {signOf, isBoxed} from './symbols.js';
 import {openMenu} from './menu.js';
 
-const CELL = 100, ROW = 74, LEFT = 58, WIRE = 44, NOTE = 19, GAP = 14;
+const ROW = 74, LEFT = 58, RIGHT = 30, WIRE = 44, NOTE = 19, GAP = 14;
+const LEAST_CELL = 84, MOST_CELL = 112;
 
 let pane, paper;
+let CELL = 100;           // width of a column, as the window has room
+let columns = 1;          // of the widest rung that is not too wide for any window
 let tops = [];            // of each rung, and the end of the last one
 const shown = new Map();  // rung -> its drawing
 let cursor = {rung: 0, element: 0};
@@ -21,7 +24,7 @@ export function setUp(section) {
   paper = html('div', {class: 'paper'});
   pane.append(paper);
   pane.addEventListener('scroll', drawSoon);
-  new ResizeObserver(drawSoon).observe(pane);
+  new ResizeObserver(fit).observe(pane);
   pane.addEventListener('click', (event) => act(event, event.shiftKey));
   pane.addEventListener('contextmenu', (event) => {
     if (event.target.closest('.element')) {
@@ -33,19 +36,34 @@ export function setUp(section) {
   onDraw(draw);
 }
 
-export function load(model) {
+function clear() {
   for (const drawing of shown.values()) drawing.root.remove();
   shown.clear();
-  tops = [8];
-  let width = 0;
-  for (const rung of model.rungs) {
-    tops.push(tops.at(-1) + heightOf(rung));
-    width = Math.max(width, rung.columns);
+}
+
+// As wide as the pane, within reason; what is wider still can be scrolled.
+function fit() {
+  if (!store.model || pane.clientWidth === 0) return;
+  const room = (pane.clientWidth - LEFT - RIGHT) / columns;
+  const cell = Math.max(LEAST_CELL, Math.min(MOST_CELL, Math.floor(room)));
+  if (cell !== CELL) {
+    CELL = cell;
+    clear();
   }
+  const widest = Math.max(1, ...store.model.rungs.map((rung) => rung.columns));
+  paper.style.width = `${LEFT + widest * CELL + RIGHT}px`;
+  drawSoon();
+}
+
+export function load(model) {
+  clear();
+  tops = [8];
+  for (const rung of model.rungs) tops.push(tops.at(-1) + heightOf(rung));
+  columns = Math.min(...model.rungs.map((rung) => rung.columns), 99);
   paper.style.height = `${tops.at(-1) + 40}px`;
-  paper.style.width = `${LEFT + width * CELL + 30}px`;
   cursor = {rung: 0, element: 0};
   paper.replaceChildren();
+  fit();
   if (model.rungs.length === 0) paper.append(html('p', {class: 'empty'}, 'This program has no ladder.'));
   drawSoon();
 }
@@ -58,7 +76,7 @@ function drawRung(rung, number) {
   const offset = notes.length ? notes.length * NOTE + 6 : 0;
   const height = rung.rows * ROW + offset;
   const right = LEFT + rung.columns * CELL;
-  const root = svg('svg', {class: 'rung', width: right + 30, height, role: 'group', 'aria-label': `rung ${number + 1}`});
+  const root = svg('svg', {class: 'rung', width: right + RIGHT, height, role: 'group', 'aria-label': `rung ${number + 1}`});
   root.style.top = `${tops[number]}px`;
   notes.forEach((note, i) => root.append(svg('text', {x: LEFT, y: 14 + i * NOTE, class: 'note'}, note)));
   const y = (row) => offset + row * ROW + WIRE;

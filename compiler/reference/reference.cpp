@@ -106,10 +106,13 @@ bool Reference::step() {
 
 void Reference::execute_seen(const Instruction& instruction) {
   const bool rail = power();
+  const bool result = now_.result;  // an output keeps it; behind a CALL it is the subroutine's
   execute(instruction);
-  const bool conducts = instruction.op == Op::Stl    ? now_.state_power
-                        : is_contact(instruction.op) ? closed_
-                                                     : now_.result;
+  const Op op = instruction.op;
+  const bool conducts = op == Op::Stl    ? now_.state_power
+                        : is_contact(op) ? closed_
+                        : is_output(op)  ? result
+                                         : now_.result;
   seen_->at(current_) = {true, rail, conducts};
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "view/circuit.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "rungs/structure.hpp"
@@ -79,6 +80,14 @@ NodePtr tree_of(const Branch& branch) {
   return series(path);
 }
 
+// Whether what stands in this block must know where it begins.
+bool has_own_result(const Program& program, const Path& block) {
+  return std::any_of(block.begin(), block.end(), [&](const NodePtr& part) {
+    return part->kind == Node::Kind::Element &&
+           changes_result(program.instructions[part->instruction].op);
+  });
+}
+
 // The boolean machine of a list, on drawings instead of results.
 NodePtr list_circuit(const Program& program, const Network& network) {
   std::vector<Path> blocks;
@@ -106,7 +115,9 @@ NodePtr list_circuit(const Program& program, const Network& network) {
         const Path second = std::move(blocks.back());
         blocks.pop_back();
         Path& first = blocks.back();
-        if (op == Op::Anb) {
+        if (op == Op::Anb && has_own_result(program, second)) {
+          first.push_back(series(second));
+        } else if (op == Op::Anb) {
           first.insert(first.end(), second.begin(), second.end());
         } else {
           first = {either(first, series(second))};
@@ -172,6 +183,8 @@ class RungReader {
 };
 
 }  // namespace
+
+bool changes_result(Op op) { return op == Op::Inv || op == Op::Mep || op == Op::Mef; }
 
 NodePtr circuit_of(const Program& program, const Network& network) {
   if (program.dialect == Dialect::Ldmicro) return RungReader(program, network).read();

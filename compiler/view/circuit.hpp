@@ -14,7 +14,7 @@ namespace rung::view {
 struct Node {
   enum class Kind : std::uint8_t {
     Element,   // `instruction`
-    Series,    // `parts` from left to right
+    Series,    // `parts` from left to right; within another one a block that has its own result
     Parallel,  // `parts` from top to bottom, joined again at their right
     Fork,      // the same, not joined: outputs, and what stands before some of them
   };
@@ -23,6 +23,9 @@ struct Node {
   std::vector<std::shared_ptr<const Node>> parts;
 };
 using NodePtr = std::shared_ptr<const Node>;
+
+// INV, MEP and MEF, which turn a result into another one, that of a block since its LD.
+bool changes_result(Op op);
 
 // The circuit of a network. Where a list goes on from a result in a way that no drawing shows (OR
 // behind an output), the contacts that made it are drawn again; both stand for the same

@@ -31,7 +31,7 @@ bool ends_line(const Program& program, const Node& node) {
 
 PowerStep::Kind kind_of(const Program& program, Op op) {
   if (is_contact(op) || op == Op::Stl) return PowerStep::Kind::Contact;
-  if (op == Op::Inv || op == Op::Mep || op == Op::Mef) return PowerStep::Kind::Contact;
+  if (changes_result(op)) return PowerStep::Kind::Result;
   if (program.dialect == Dialect::Ldmicro) return PowerStep::Kind::Given;
   return PowerStep::Kind::Same;
 }
@@ -55,7 +55,7 @@ class Layout {
     if (circuit->kind == Node::Kind::Series) {
       turn_lines(*circuit);
     } else {
-      finish(place(*circuit, 0, 0, grid_.rail), size);
+      finish(place(*circuit, 0, 0, grid_.rail, grid_.rail), size);
     }
     return std::move(grid_);
   }
@@ -109,7 +109,7 @@ class Layout {
         wire(row, column, right_ - size.columns, net);
         column = right_ - size.columns;
       }
-      net = place(*part, row, column, net);
+      net = place(*part, row, column, net, grid_.rail);
       column += size.columns;
     }
     row_ = row;
@@ -122,33 +122,37 @@ class Layout {
     if (program_.dialect == Dialect::Ldmicro) wire(row_, size.columns, right_, net);
   }
 
-  // Draws `node` with its upper left corner there; the net at its right end.
-  Net place(const Node& node, int row, int column, Net in) {
+  // Draws `node` with its upper left corner there; the net at its right end. The block that it
+  // belongs to begins at net `base`.
+  Net place(const Node& node, int row, int column, Net in, Net base) {
     switch (node.kind) {
       case Node::Kind::Element:
-        return place_element(node, row, column, in);
-      case Node::Kind::Series: {
-        Net net = in;
-        for (const NodePtr& part : node.parts) {
-          const int width = size_of(*part).columns;
-          if (part->kind == Node::Kind::Element && ends_line(program_, *part)) {
-            wire(row, column, right_ - width, net);
-            column = right_ - width;
-          }
-          net = place(*part, row, column, net);
-          column += width;
-        }
-        return net;
-      }
+        return place_element(node, row, column, in, base);
+      case Node::Kind::Series:
+        return place_series(node, row, column, in, in);
       case Node::Kind::Parallel:
         return place_parallel(node, row, column, in);
       case Node::Kind::Fork:
-        return place_fork(node, row, column, in);
+        return place_fork(node, row, column, in, base);
     }
     return in;
   }
 
-  Net place_element(const Node& node, int row, int column, Net in) {
+  Net place_series(const Node& node, int row, int column, Net in, Net base) {
+    Net net = in;
+    for (const NodePtr& part : node.parts) {
+      const int width = size_of(*part).columns;
+      if (part->kind == Node::Kind::Element && ends_line(program_, *part)) {
+        wire(row, column, right_ - width, net);
+        column = right_ - width;
+      }
+      net = place(*part, row, column, net, base);
+      column += width;
+    }
+    return net;
+  }
+
+  Net place_element(const Node& node, int row, int column, Net in, Net base) {
     const Instruction& instruction = program_.instructions[node.instruction];
     const PowerStep::Kind kind = kind_of(program_, instruction.op);
     const Net out = kind == PowerStep::Kind::Same ? in : new_net();
@@ -158,7 +162,7 @@ class Layout {
       column = right_ - width;
     }
     grid_.elements.push_back({node.instruction, row, column, width, in, out});
-    if (out != in) grid_.steps.push_back({kind, node.instruction, in, out});
+    if (out != in) grid_.steps.push_back({kind, node.instruction, in, out, base});
     return out;
   }
 
@@ -169,9 +173,9 @@ class Layout {
     int last = row;
     for (const NodePtr& part : node.parts) {
       const Size size = size_of(*part);
-      const Net end = place(*part, row, column, in);
+      const Net end = place(*part, row, column, in, in);
       wire(row, column + size.columns, right, end);
-      grid_.steps.push_back({PowerStep::Kind::Also, 0, end, out});
+      grid_.steps.push_back({PowerStep::Kind::Also, 0, end, out, in});
       last = row;
       row += size.rows;
     }
@@ -180,11 +184,16 @@ class Layout {
     return out;
   }
 
-  Net place_fork(const Node& node, int row, int column, Net in) {
+  Net place_fork(const Node& node, int row, int column, Net in, Net base) {
     const int top = row;
     int last = row;
     for (const NodePtr& part : node.parts) {
-      place(*part, row, column, in);
+      // A branch goes on with the result before it.
+      if (part->kind == Node::Kind::Series) {
+        place_series(*part, row, column, in, base);
+      } else {
+        place(*part, row, column, in, base);
+      }
       last = row;
       row += size_of(*part).rows;
     }

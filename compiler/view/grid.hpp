@@ -39,12 +39,15 @@ struct PowerStep {
   enum class Kind : std::uint8_t {
     Contact,  // what `from` has, if the instruction conducts
     Given,    // what the instruction gives, whatever comes in
+    Result,   // what `base` has, if the instruction gives 1: of the result since there, not of
+              // `from`
     Same,     // what `from` has
     Also,     // what `from` has, or what it has already
   };
   Kind kind = Kind::Same;
   std::size_t instruction = 0;
   Net from = 0, to = 0;
+  Net base = 0;
 };
 
 struct Grid {

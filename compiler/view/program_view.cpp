@@ -185,6 +185,9 @@ std::vector<bool> ProgramView::power(const std::vector<Conduction>& seen) const 
         case PowerStep::Kind::Given:
           on = conducts;
           break;
+        case PowerStep::Kind::Result:
+          on = at(step.base) && conducts;
+          break;
         case PowerStep::Kind::Same:
           on = at(step.from);
           break;

@@ -110,9 +110,8 @@ export function busyProgram(instructions) {
     lines.push(`LD   X${(i % 16).toString(8)}`, `OR   M${m}`, `ANI  M${m + 1}`, `OUT  M${m + 2}`, `LDI  M${m + 500}`, `OUT  M${m + 500}`,
       `LD   M${m + 500}`, `OUT  T${i % 199} K${10 + i % 30}`, `LD   T${i % 199}`, `RST  T${i % 199}`);
   }
-  while (lines.length < instructions) lines.push('LD   M0');
-  if (lines.at(-1) === 'LD   M0') lines[lines.length - 1] = 'OUT  Y1';
+  while (lines.length < instructions) lines.push('LD   M0', 'OUT  Y1');
   const file = join(scratch, 'busy.il');
-  writeFileSync(file, `${lines.join('\n')}\n`);
+  writeFileSync(file, `${lines.join('\n')}\nEND\n`);
   return file;
 }

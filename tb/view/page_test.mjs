@@ -284,7 +284,7 @@ test('inside the processor: all three, step by step, to the rung and back', asyn
     assert.ok(await page.locator('#ladder').isVisible());
     assert.ok(await page.evaluate(() => document.activeElement.closest('.element') !== null));
     await page.keyboard.press('m');
-    await page.getByText('Inside the processor').last().click();
+    await page.locator('#menu').getByText('Inside the processor').click();
     assert.ok(await page.locator('.processor').first().isVisible());
   });
 });

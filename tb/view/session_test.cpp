@@ -17,7 +17,7 @@ using nlohmann::json;
 
 constexpr const char* kMotor =
     "; holds itself\nLD X0\nOR M0\nANI X1\nOUT M0\nOUT Y0\nLD M0\nOUT T0 K2\nLD T0\nOUT Y1\n"
-    "LD X2\nINC D0\n";
+    "LD X2\nINC D0\nEND\n";
 
 class SessionTest : public testing::Test {
  protected:
@@ -159,13 +159,13 @@ TEST_F(SessionTest, TheLadderAsText) {
   const std::vector<std::string> begin(lines.begin(), lines.begin() + 8);
   const std::vector<std::string> expected{
       "       ; holds itself",
-      "       |    X0          X1                                              M0     |",
-      "    1  |====] [====+====]/[====+========================================( )====|",
-      "       |           |           |                                               |",
-      "       |    M0     |           |                                        Y0     |",
-      "       |====] [====+           +========================================( )====|",
-      "       |                                                                       |",
-      "       |    M0                                                                 |",
+      "       |    X0          X1                                              M0      |",
+      "    1  |====] [=====+===]/[=====+=======================================( )=====|",
+      "       |            |           |                                               |",
+      "       |    M0      |           |                                       Y0      |",
+      "       |====] [-----+           +=======================================( )=====|",
+      "       |                                                                        |",
+      "       |    M0                                                                  |",
   };
   EXPECT_EQ(begin, expected);
 }

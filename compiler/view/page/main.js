@@ -134,6 +134,7 @@ function toast(text) {
 }
 onProblem(toast);
 
+let loaded = '';
 function load(model) {
   const name = model.file.split('/').at(-1);
   $('file').textContent = name;
@@ -150,7 +151,8 @@ function load(model) {
   timing.load(model);
   flow.load(model);
   inside.load(model);
-  if (model.rungs.length === 0 && model.tasks.length) show($('tab-flow'));
+  if (model.tasks.length && loaded !== model.file) show($('tab-flow'));
+  loaded = model.file;
 }
 
 menu.setUp($('menu'));

@@ -171,6 +171,11 @@ report: ## all reports, in order: steps, programs, area and clock, boards, bench
 report-page: ## reports/index.html from the JSON that the other targets have written: plots and tables
 	@$(PYTHON) scripts/report_page.py
 
+.PHONY: pictures
+pictures: build ## the pictures of rung view that README.md shows: reports/view-*.png
+	@scripts/setup.sh test
+	@RUNG=build/bin/rung RUNG_BROWSER=$(CURDIR)/build/browser node tb/view/pictures.mjs reports
+
 .PHONY: clean
 clean: ## remove everything built but what was downloaded: build/venv, build/clients and build/browser
 	@if [ -d build ]; then \

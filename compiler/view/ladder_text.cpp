@@ -9,7 +9,7 @@ namespace rung::view {
 namespace {
 
 constexpr int kCell = 12;   // characters of a column
-constexpr int kLeft = 7;    // before the left rail: the rung's number
+constexpr int kLeft = 6;    // before the left rail: the rung's number
 constexpr int kHeight = 3;  // lines of a row: names, wire, values
 
 struct Glyph {

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <charconv>
 #include <csignal>
+#include <filesystem>
 #include <utility>
 
 namespace rung::view {
@@ -29,7 +30,7 @@ class Screen {
     write("\x1b[?1049h\x1b[?25l");
   }
   ~Screen() {
-    write("\x1b[?25h\x1b[?1049l");
+    write("\x1b[?7h\x1b[?25h\x1b[?1049l");
     tcsetattr(STDIN_FILENO, TCSANOW, &before_);
   }
   Screen(const Screen&) = delete;
@@ -43,9 +44,13 @@ class Screen {
       at += static_cast<std::size_t>(done);
     }
   }
-  static int rows() {
+  static winsize size() {
     winsize size{};
-    return ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_row > 4 ? size.ws_row : 24;
+    if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_row < 4 || size.ws_col < 20) {
+      size.ws_row = 24;
+      size.ws_col = 80;
+    }
+    return size;
   }
   // The next key, 0 if none came in time.
   static int key(int milliseconds) {
@@ -61,8 +66,7 @@ class Screen {
 
 constexpr int kUp = 0x100, kDown = 0x101, kPageUp = 0x102, kPageDown = 0x103;
 constexpr const char* kHelp =
-    " space scan  r real time  f fast  p pause  arrows scroll  / find  x toggle: X0  "
-    "= set: D0=5  ! force: X0=1, X0=  b break: Y0  0 restart  q quit";
+    " space scan, r run, f fast, p pause, x toggle, = set, ! force, b break, / find, 0, q";
 
 // Escape sequences of the keys that move.
 int read_key(int milliseconds) {
@@ -104,14 +108,15 @@ class Terminal {
 
  private:
   void paint() {
-    const int rows = Screen::rows();
+    const winsize size = Screen::size();
     std::vector<int> rung_of;
     std::string head;
     std::vector<std::string> lines;
     session_.call([&](Run& run) {
       lines = ladder_text(run, {true}, &rung_of);
-      head = fmt::format(" {}  {}  scan {}{}{}{}", run.view().program().file, run.engine().name(),
-                         run.scans(),
+      head = fmt::format(" {}  {}  scan {}{}{}{}",
+                         std::filesystem::path(run.view().program().file).filename().string(),
+                         run.engine().name(), run.scans(),
                          run.mode() == Mode::Paused     ? "  paused"
                          : run.mode() == Mode::RealTime ? "  real time"
                                                         : "  fast",
@@ -124,25 +129,37 @@ class Terminal {
       return 0;
     });
     rung_of_ = std::move(rung_of);
-    const int room = rows - 2;
+    const int room = size.ws_row - 2;
     top_ = std::clamp(top_, 0, std::max(0, static_cast<int>(lines.size()) - room));
-    std::string text = "\x1b[H\x1b[7m" + head + "\x1b[K\x1b[0m\r\n";
+    // A line that is too long is cut by the terminal; bars have no sequences in them and are cut
+    // here.
+    const auto bar = [&](const std::string& line) {
+      return "\x1b[7m" + line.substr(0, size.ws_col) + "\x1b[K\x1b[0m";
+    };
+    std::string text = "\x1b[?7l\x1b[H" + bar(head) + "\r\n";
     for (int i = 0; i < room; ++i) {
       if (top_ + i < static_cast<int>(lines.size())) {
         text += lines[static_cast<std::size_t>(top_ + i)];
       }
       text += "\x1b[K\r\n";
     }
-    text += "\x1b[7m";
-    text += asked_ != 0     ? fmt::format(" {} {}_", static_cast<char>(asked_), answer_)
-            : note_.empty() ? kHelp
-                            : " " + note_;
-    Screen::write(text + "\x1b[K\x1b[0m");
+    Screen::write(text + bar(asked_ != 0     ? question()
+                             : note_.empty() ? std::string(kHelp)
+                                             : " " + note_));
+  }
+
+  std::string question() const {
+    const char* what = asked_ == '/'   ? "find device"
+                       : asked_ == 'x' ? "toggle device"
+                       : asked_ == '=' ? "set DEVICE=VALUE"
+                       : asked_ == '!' ? "force DEVICE=VALUE, release DEVICE="
+                                       : "break on a change of DEVICE, or on DEVICE=VALUE";
+    return fmt::format(" {}: {}_", what, answer_);
   }
 
   void command(int key) {
     note_.clear();
-    const int page = Screen::rows() - 4;
+    const int page = Screen::size().ws_row - 4;
     switch (key) {
       case ' ':
         return send([](Run& run) { run.step(1); });

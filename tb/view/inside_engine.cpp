@@ -63,7 +63,7 @@ class InsideEngine final : public view::Engine {
     Beside& last = *all_.back();
     const int index = is_port(device.kind) ? -1 : last.machine.find(device);
     return index < 0 ? last.lockstep.reference().get(device)
-                     : last.machine.value(static_cast<std::size_t>(index));
+                     : last.machine.known_value(static_cast<std::size_t>(index));
   }
 
  private:

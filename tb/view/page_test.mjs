@@ -143,10 +143,10 @@ test('a breakpoint stops the run in the scan of the change', async () => {
 test('search goes to where a device is written, then to where it is read', async () => {
   await look([busyProgram(1500)], async (page) => {
     await page.keyboard.press('/');
-    await page.keyboard.type('M380');
+    await page.keyboard.type('M140');
     await page.keyboard.press('Enter');
     const toast = page.locator('.toast');
-    assert.match(await toast.textContent(), /M380: rung \d+ writes it/);
+    assert.match(await toast.textContent(), /M140: rung \d+ writes it/);
     assert.ok(await page.locator('.element.marked.coil').first().isVisible());
     await page.locator('#search').focus();
     await page.keyboard.press('Enter');
@@ -291,7 +291,7 @@ test('inside the processor: all three, step by step, to the rung and back', asyn
 
 test('a controller through Modbus: watched, set, forced, stopped, and away for a while', async () => {
   const controller = await startController('cell');
-  await look([controller.program, '--port', `tcp:127.0.0.1:${controller.port}`], async (page) => {
+  await look([controller.program, '--port', `tcp:127.0.0.1:${controller.port}`, '--timeout', '20000'], async (page) => {
     await page.waitForFunction(() => /^running/.test(rung.frame.state ?? ''));
     controller.tell('in0=1');
     await becomes(page, 'Y0', 1);

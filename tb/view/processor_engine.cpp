@@ -35,7 +35,7 @@ class ProcessorEngine final : public view::Engine {
     if (is_port(device.kind)) return lockstep_.reference().get(device);
     const int index = machine_.find(device);
     return index < 0 ? lockstep_.reference().get(device)
-                     : machine_.value(static_cast<std::size_t>(index));
+                     : machine_.known_value(static_cast<std::size_t>(index));
   }
 
  private:

@@ -158,14 +158,14 @@ TEST_F(SessionTest, TheLadderAsText) {
   const std::vector<std::string> lines = ladder_text(*run_, {});
   const std::vector<std::string> begin(lines.begin(), lines.begin() + 8);
   const std::vector<std::string> expected{
-      "       ; holds itself",
-      "       |    X0          X1                                              M0      |",
-      "    1  |====] [=====+===]/[=====+=======================================( )=====|",
-      "       |            |           |                                               |",
-      "       |    M0      |           |                                       Y0      |",
-      "       |====] [-----+           +=======================================( )=====|",
-      "       |                                                                        |",
-      "       |    M0                                                                  |",
+      "      ; holds itself",
+      "      |    X0          X1                                              M0      |",
+      "    1 |====] [=====+===]/[=====+=======================================( )=====|",
+      "      |            |           |                                               |",
+      "      |    M0      |           |                                       Y0      |",
+      "      |====] [-----+           +=======================================( )=====|",
+      "      |                                                                        |",
+      "      |    M0                                                                  |",
   };
   EXPECT_EQ(begin, expected);
 }

@@ -55,7 +55,7 @@ class TextView(unittest.TestCase):
             terminal.keys("x", "X0", "Enter")
             terminal.keys("Space")
             screen = terminal.sees("scan 1")
-            self.assertRegex(screen, r"1  \|====\] \[====\+====\]/\[====\+=+\( \)====\|")
+            self.assertRegex(screen, r"1 \|====\] \[=====\+===\]/\[=====\+=+\( \)=====\|")
 
     def test_real_time_and_break(self) -> None:
         with Terminal(str(PROGRAM)) as terminal:

@@ -37,6 +37,8 @@ class Engine {
   virtual const std::vector<Conduction>& seen() const = 0;
   // Clocks of the last scan; nothing if the engine has none.
   virtual std::optional<std::uint32_t> clocks() const { return std::nullopt; }
+  // The bytes that the program's UART was given in the last scan.
+  virtual std::vector<int> sent() const { return {}; }
   // From scan to scan.
   virtual std::int64_t tick_us() const = 0;
   virtual std::optional<FlowTaskState> task(std::size_t /*number*/) const { return std::nullopt; }

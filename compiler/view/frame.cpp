@@ -166,6 +166,7 @@ std::optional<json> frame_json(Run& run, FrameState& state) {
       {"closed", packed(seen.size(), [&](std::size_t i) { return seen[i].conducts; })},
       {"forced", forced},
       {"breaks", breakpoints},
+      {"sent", run.sent()},
       {"message", run.message()},
       {"failed", run.failed()}};
   if (run.engine().clocks()) frame["clocks"] = *run.engine().clocks();

@@ -50,6 +50,10 @@ ProgramView::ProgramView(const Program& program, const std::vector<std::string>&
   for (const auto& [device, name] : program.names) {
     if (is_port(device.kind)) devices.push_back(device);
   }
+  const auto receives = [](const Instruction& each) { return each.op == Op::UartRecv; };
+  if (std::any_of(program.instructions.begin(), program.instructions.end(), receives)) {
+    devices.push_back(port::uart_rx_data);
+  }
   add_devices(devices);
   draw(lines);
 }
@@ -74,6 +78,12 @@ void ProgramView::add_devices(const std::vector<Device>& devices) {
     view.input = device.kind == DeviceKind::X || is_port(device.kind);
     // A channel has the name of the variable that it is read into.
     if (is_port(device.kind)) view.comment = "analogue input";
+    if (device == port::uart_rx_data) {
+      // A byte arrives once.
+      view.input = false;
+      view.name = "RX";
+      view.comment = "a byte that arrives";
+    }
     by_device_[device] = static_cast<int>(devices_.size());
     devices_.push_back(std::move(view));
   }

@@ -22,6 +22,7 @@ class ReferenceEngine final : public Engine {
   }
   std::int16_t value(Device device) override { return reference_.get(device); }
   const std::vector<Conduction>& seen() const override { return seen_; }
+  std::vector<int> sent() const override { return reference_.sent(); }
   std::int64_t tick_us() const override { return tick_us_; }
 
  private:

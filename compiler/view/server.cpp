@@ -81,6 +81,11 @@ struct Server::Parts {
   Parts(Session& s, ServerSetup given) : session(s), setup(std::move(given)) {
     http.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
     http.set_tcp_nodelay(true);
+    // The library's own would share the port with another server that has it.
+    http.set_socket_options([](int socket) {
+      const int yes = 1;
+      ::setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+    });
     http.set_keep_alive_timeout(2);
     http.set_payload_max_length(kLongestCommand);
     http.set_pre_routing_handler([this](const Request& request, Response& response) {

@@ -15,6 +15,16 @@ using Clock = std::chrono::steady_clock;
 // A run that is further behind does not try to make up for it.
 constexpr auto kLate = std::chrono::milliseconds(200);
 
+// Characters that are kept of what a program sends.
+constexpr std::size_t kSent = 2000;
+
+// As a terminal shows it; what it could not show as \xAB.
+std::string printable(int byte) {
+  if (byte == '\r') return {};
+  if (byte == '\n' || (byte >= ' ' && byte < 0x7F)) return {static_cast<char>(byte)};
+  return fmt::format("\\x{:02X}", byte & 0xFF);
+}
+
 }  // namespace
 
 Run::Run(const ProgramView& view, std::vector<std::string> engines, EngineMaker maker)
@@ -102,6 +112,7 @@ void Run::restart(const std::string& engine) {
   pending_ = inputs_;
   for (const auto& [device, value] : inputs_) values_[static_cast<std::size_t>(device)] = value;
   for (const auto& [device, value] : forced_) values_[static_cast<std::size_t>(device)] = value;
+  sent_.clear();
   scans_ = 0;
   steps_ = 0;
   mode_ = engine_->is_live() ? Mode::RealTime : Mode::Paused;
@@ -159,6 +170,8 @@ void Run::sample(bool live) {
     }
     history_.add(scans_, static_cast<int>(i), value);
   }
+  for (const int byte : engine_->sent()) sent_ += printable(byte);
+  if (sent_.size() > kSent) sent_.erase(0, sent_.size() - kSent);
   power_ = view_.power(engine_->seen());
 }
 

@@ -51,6 +51,8 @@ class Run {
   std::uint64_t runs() const { return runs_; }
   // When each device changed last.
   const std::vector<std::uint64_t>& versions() const { return versions_; }
+  // What the program's UART has sent lately.
+  const std::string& sent() const { return sent_; }
   // Why it paused, or what went wrong; empty if nothing did.
   const std::string& message() const { return message_; }
   bool failed() const { return failed_; }
@@ -92,6 +94,7 @@ class Run {
   std::int64_t scans_ = 0;
   std::uint64_t version_ = 1, runs_ = 1;
   std::string message_;
+  std::string sent_;
   bool failed_ = false;
 };
 

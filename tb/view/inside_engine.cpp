@@ -41,6 +41,7 @@ class InsideEngine final : public view::Engine {
   std::string name() const override { return "inside"; }
   std::int64_t tick_us() const override { return all_.front()->machine.tick_us(); }
   const std::vector<Conduction>& seen() const override { return seen_; }
+  std::vector<int> sent() const override { return all_.back()->machine.sent(); }
   std::optional<std::uint32_t> clocks() const override {
     return all_.back()->lockstep.result().clocks;
   }

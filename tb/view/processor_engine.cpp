@@ -23,6 +23,7 @@ class ProcessorEngine final : public view::Engine {
   std::string name() const override { return fmt::format("mpu{}", static_cast<int>(image_.mpu)); }
   std::int64_t tick_us() const override { return machine_.tick_us(); }
   const std::vector<Conduction>& seen() const override { return seen_; }
+  std::vector<int> sent() const override { return machine_.sent(); }
   std::optional<std::uint32_t> clocks() const override { return lockstep_.result().clocks; }
 
   void scan(std::span<const StimulusEvent> events) override {

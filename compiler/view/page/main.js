@@ -46,6 +46,11 @@ function drawBar() {
   if (!frame) return;
   for (const name of ['real', 'fast']) $(name).setAttribute('aria-pressed', frame.mode === name);
   $('pause').setAttribute('aria-pressed', frame.mode === 'paused');
+  $('sent').hidden = !frame.sent;
+  if ($('sent').textContent !== frame.sent) {
+    $('sent').textContent = frame.sent;
+    $('sent').scrollTop = $('sent').scrollHeight;
+  }
   if ($('engine').value !== frame.engine) $('engine').value = frame.engine;
   const ms = frame.scan * model.tick_us / 1000;
   const time = model.live ? frame.state : `scan ${frame.scan}, ${(ms / 1000).toFixed(2)} s`;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// rung: compile, run, check, translate and show ladder programs, and talk to the controllers that run
-// them.
+// rung: compile, run, check, translate and show ladder programs, and talk to the controllers that
+// run them.
 #include <fmt/format.h>
 
 #include <cstdio>

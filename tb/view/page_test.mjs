@@ -294,7 +294,6 @@ test('inside the processor: all three, step by step, to the rung and back', asyn
     const ends = await page.locator('.processor h2').allTextContents();
     assert.match(ends[0], /MPU1 \d+ steps; clock 1 of \d+/);
     // The program counter is ahead by a step a clock; the first instruction is in EX after six.
-    await page.locator('#inside').focus();
     for (let i = 0; i < 7; i++) await page.keyboard.press('ArrowRight');
     assert.match(await page.locator('.processor').last().locator('.execute').first().textContent(), /LUT row|exc/);
     await page.locator('.processor').last().locator('.code').first().click();

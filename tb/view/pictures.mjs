@@ -27,11 +27,12 @@ await page.mouse.move(600, 600);
 await page.evaluate(() => document.activeElement.blur());
 await page.screenshot({path: join(folder, 'view-ladder.png')});
 
+await element(page, 'contact', 'X0').click();
 await page.click('#tab-inside');
 await page.click('#record');
 await page.waitForFunction(() => document.querySelectorAll('.processor').length === 3);
 for (let i = 0; i < 9; i++) await page.keyboard.press('ArrowRight');
-await page.setViewportSize({width: 1240, height: 840});
+await page.setViewportSize({width: 1240, height: 900});
 await page.waitForTimeout(500);
 await page.screenshot({path: join(folder, 'view-inside.png')});
 await browser.close();

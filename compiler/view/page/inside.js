@@ -108,7 +108,11 @@ async function ask() {
       clocks = answer.clocks;
       [recordedRun, recordedScan] = [answer.run, answer.scan];
       slider.max = longest() - 1;
-      if (begun) at = clocks.map(() => 0);
+      if (begun) {
+        at = clocks.map(() => 0);
+        // The button that began this is gone, and the keys with it.
+        if (!section.hidden && document.activeElement === document.body) section.focus();
+      }
       find();
       dirty = true;
     }

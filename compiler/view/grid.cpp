@@ -105,7 +105,9 @@ class Layout {
         column = 0;
       }
       below = std::max(below, row + size.rows);
-      if (ends_line(program_, *part) && part->kind == Node::Kind::Element) {
+      // A coil stands at the right rail; in LDmicro what comes last in a rung does.
+      const bool last = program_.dialect == Dialect::Ldmicro && part == circuit.parts.back();
+      if ((last || ends_line(program_, *part)) && part->kind == Node::Kind::Element) {
         wire(row, column, right_ - size.columns, net);
         column = right_ - size.columns;
       }

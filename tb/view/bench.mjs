@@ -87,6 +87,7 @@ export async function openPage(browser, view, options = {}) {
   page.on('console', (message) => {
     if (message.type() === 'error' && !/Failed to load|ERR_/.test(message.text())) page.faults.push(message.text());
   });
+  page.setDefaultTimeout(60000);
   await page.goto(view.url);
   await page.waitForFunction(() => globalThis.rung?.frame);
   return page;
@@ -95,9 +96,9 @@ export async function openPage(browser, view, options = {}) {
 // The value of a device, as the page has it.
 export const value = (page, name) => page.evaluate((n) => rung.values[rung.model.devices.findIndex((each) => each.name === n)], name);
 export const becomes = (page, name, wanted) => page.waitForFunction(
-  ([n, w]) => rung.values[rung.model.devices.findIndex((each) => each.name === n)] === w, [name, wanted], {timeout: 10000});
+  ([n, w]) => rung.values[rung.model.devices.findIndex((each) => each.name === n)] === w, [name, wanted], {timeout: 60000});
 export const scans = (page) => page.evaluate(() => rung.frame.scan);
-export const waitScan = (page, scan) => page.waitForFunction((n) => rung.frame.scan >= n, scan, {timeout: 20000});
+export const waitScan = (page, scan) => page.waitForFunction((n) => rung.frame.scan >= n, scan, {timeout: 60000});
 
 // An element of the ladder by its sign and text.
 export const element = (page, sign, text) => page.locator(`.element.${sign}`).filter({has: page.locator(`text="${text}"`)}).first();

@@ -307,31 +307,35 @@ test('inside the processor: all three, step by step, to the rung and back', asyn
 
 test('a controller through Modbus: watched, set, forced, stopped, and away for a while', async () => {
   const controller = await startController('cell');
-  await look([controller.program, '--port', `tcp:127.0.0.1:${controller.port}`, '--timeout', '20000'], async (page) => {
-    await page.waitForFunction(() => /^running/.test(rung.frame.state ?? ''));
-    controller.tell('in0=1');
-    await becomes(page, 'Y0', 1);
-    await page.waitForFunction(() => /powered/.test([...document.querySelectorAll('.element.coil')][0].getAttribute('class')));
-    await element(page, 'contact', 'M0').click();
-    await page.getByText('Set 1').click();
-    await becomes(page, 'Y1', 1);
-    // An input comes from its pin: it can be forced, not set.
-    await element(page, 'contact-not', 'X1').click();
-    await page.getByText('Set 1').click();
-    await page.waitForFunction(() => /force it/.test(rung.frame.message));
-    await element(page, 'contact-not', 'X1').click();
-    await page.getByText('Force 1').click();
-    await becomes(page, 'Y0', 0);
-    await page.waitForFunction(() => rung.forced.size === 1);
-    await page.click('#release-all');
-    await page.waitForFunction(() => rung.forced.size === 0);
-    await page.click('[data-order="stop"]');
-    await page.waitForFunction(() => /^stopped/.test(rung.frame.state));
-    // To run again takes the simulated firmware a minute and more, in which it answers nobody.
+  try {
+    await look([controller.program, '--port', `tcp:127.0.0.1:${controller.port}`, '--timeout', '20000'], async (page) => {
+      await page.waitForFunction(() => /^running/.test(rung.frame.state ?? ''));
+      controller.tell('in0=1');
+      await becomes(page, 'Y0', 1);
+      await page.waitForFunction(() => /powered/.test([...document.querySelectorAll('.element.coil')][0].getAttribute('class')));
+      await element(page, 'contact', 'M0').click();
+      await page.getByText('Set 1').click();
+      await becomes(page, 'Y1', 1);
+      // An input comes from its pin: it can be forced, not set.
+      await element(page, 'contact-not', 'X1').click();
+      await page.getByText('Set 1').click();
+      await page.waitForFunction(() => /force it/.test(rung.frame.message));
+      await element(page, 'contact-not', 'X1').click();
+      await page.getByText('Force 1').click();
+      await becomes(page, 'Y0', 0);
+      await page.waitForFunction(() => rung.forced.size === 1);
+      await page.click('#release-all');
+      await page.waitForFunction(() => rung.forced.size === 0);
+      await page.click('[data-order="stop"]');
+      await page.waitForFunction(() => /^stopped/.test(rung.frame.state));
+      // RUN again is not asked for: the simulated controller then answers nobody for minutes.
+      await controller.stop();
+      await page.waitForFunction(() => rung.frame.failed);
+      assert.ok(await page.locator('#message.bad').isVisible());
+    });
+  } finally {
     await controller.stop();
-    await page.waitForFunction(() => rung.frame.failed);
-    assert.ok(await page.locator('#message.bad').isVisible());
-  });
+  }
 });
 
 test('flow tasks are flowcharts, with the step that each is at', async () => {

@@ -27,7 +27,10 @@ class Terminal:
         subprocess.run(["tmux", "-L", self.socket, "kill-server"], check=False, capture_output=True)
 
     def tmux(self, *arguments: str) -> str:
-        return subprocess.run(["tmux", "-L", self.socket, "-f", "/dev/null", *arguments], check=True, capture_output=True, text=True).stdout
+        run = subprocess.run(["tmux", "-L", self.socket, "-f", "/dev/null", *arguments], check=False, capture_output=True, text=True)
+        if run.returncode != 0:
+            raise AssertionError(f"tmux {arguments[0]}: exit {run.returncode}: {run.stderr}")
+        return run.stdout
 
     def keys(self, *keys: str) -> None:
         self.tmux("send-keys", *keys)

@@ -159,15 +159,25 @@ programs: build ## real lists and LDmicro programs: which run, what each instruc
 	@$(PYTHON) scripts/programs_report.py
 
 .PHONY: report
-report: ## all reports, in order: steps, programs, area and clock, boards, bench
+report: ## all reports, in order: steps, programs, area and clock, boards, bench; then reports/index.html
 	@scripts/setup.sh bench
 	@$(MAKE) --no-print-directory steps
 	@$(MAKE) --no-print-directory programs
 	@$(MAKE) --no-print-directory pnr
 	@$(MAKE) --no-print-directory boards
 	@$(MAKE) --no-print-directory bench
+	@$(MAKE) --no-print-directory report-page
+
+.PHONY: report-page
+report-page: ## reports/index.html from the JSON that the other targets have written: plots and tables
+	@$(PYTHON) scripts/report_page.py
+
+.PHONY: pictures
+pictures: build ## the pictures of rung view that README.md shows: reports/view-*.png
+	@scripts/setup.sh test
+	@RUNG=build/bin/rung RUNG_BROWSER=$(CURDIR)/build/browser node tb/view/pictures.mjs reports
 
 .PHONY: clean
-clean: ## remove everything built but the Python environments, build/venv and build/clients
+clean: ## remove everything built but what was downloaded: build/venv, build/clients and build/browser
 	@if [ -d build ]; then \
-	  find build -mindepth 1 -maxdepth 1 ! -name venv ! -name clients -exec rm -rf {} +; fi
+	  find build -mindepth 1 -maxdepth 1 ! -name venv ! -name clients ! -name browser -exec rm -rf {} +; fi

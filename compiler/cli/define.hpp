@@ -20,5 +20,8 @@ void define_export(CLI::App& app, Options& options);
 // load, info, monitor, force, control
 void define_client_commands(CLI::App& app, Options& options);
 void define_device(CLI::App& app, Options& options);
+void define_view(CLI::App& app, Options& options);
+// --port and what is set on the line.
+void define_line(CLI::App& command, Options& options, bool required);
 
 }  // namespace rung::cli

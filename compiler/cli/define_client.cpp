@@ -12,26 +12,6 @@ std::vector<std::string> config_names() {
   return names;
 }
 
-void define_line(CLI::App& command, Options& options) {
-  command
-      .add_option("--port", options.port,
-                  "serial port of the controller, such as /dev/ttyUSB0, or tcp:HOST:PORT")
-      ->required();
-  // What serial ports can be set to, of what the controller can.
-  command
-      .add_option("--baud", options.baud,
-                  "19200 if not given (rung load: first as the I/O map says; so parity and unit)")
-      ->check(CLI::IsMember(
-          {9600, 19200, 38400, 57600, 115200, 230400, 460800, 500000, 576000, 921600}));
-  command.add_option("--parity", options.parity, "even if not given")
-      ->check(CLI::IsMember({"none", "odd", "even"}));
-  command.add_option("--unit", options.unit, "Modbus unit address, 1 if not given")
-      ->check(CLI::Range(1, 247));
-  command.add_option("--timeout", options.timeout_ms, "milliseconds to wait for an answer")
-      ->check(CLI::Range(1, 600'000))
-      ->capture_default_str();
-}
-
 void define_load(CLI::App& app, Options& options) {
   CLI::App* command = add_command(app, options, Command::Load, "load",
                                   "compile a program, download it to a controller and run it");
@@ -41,14 +21,14 @@ void define_load(CLI::App& app, Options& options) {
       ->required();
   define_common(*command, options);
   define_mpu(*command, options, false);
-  define_line(*command, options);
+  define_line(*command, options, true);
   define_clock(*command, options);
 }
 
 void define_info(CLI::App& app, Options& options) {
   CLI::App* command =
       add_command(app, options, Command::Info, "info", "what a controller is, and how it does");
-  define_line(*command, options);
+  define_line(*command, options, true);
 }
 
 void define_monitor(CLI::App& app, Options& options) {
@@ -58,7 +38,7 @@ void define_monitor(CLI::App& app, Options& options) {
                       "[PROGRAM] [DEVICES...]: devices, or names that PROGRAM has; a file that is "
                       "there is PROGRAM; of PROGRAM alone all devices");
   define_common(*command, options);
-  define_line(*command, options);
+  define_line(*command, options, true);
   command->add_option("--csv", options.csv, "record the values there, with time stamps");
   command->add_option("--interval", options.interval_ms, "milliseconds from sample to sample")
       ->check(CLI::Range(0, 3'600'000))
@@ -72,7 +52,7 @@ void define_force(CLI::App& app, Options& options) {
   command->add_option("DEVICES", options.devices, "X5=1, Y0=0, Y0=release; names with --program");
   command->add_option("--program", options.program, "program whose names may stand for devices");
   define_common(*command, options);
-  define_line(*command, options);
+  define_line(*command, options, true);
   command->add_flag("--list", options.list, "show what is forced");
   command->add_flag("--release-all", options.release_all, "release all");
 }
@@ -88,7 +68,7 @@ void define_control(CLI::App& app, Options& options) {
       ->required()
       ->check(CLI::IsMember(
           {"run", "stop", "scan", "clear-statistics", "leave-fault", "save", "clear-latched"}));
-  define_line(*command, options);
+  define_line(*command, options, true);
 }
 
 }  // namespace
@@ -111,6 +91,26 @@ void define_mpu(CLI::App& command, Options& options, bool with_reference) {
   if (with_reference) names.emplace_back("reference");
   command.add_option("--mpu", options.mpu, "processor; if not given the I/O map's board's, or 3")
       ->check(CLI::IsMember(names));
+}
+
+void define_line(CLI::App& command, Options& options, bool required) {
+  command
+      .add_option("--port", options.port,
+                  "serial port of the controller, such as /dev/ttyUSB0, or tcp:HOST:PORT")
+      ->required(required);
+  // What serial ports can be set to, of what the controller can.
+  command
+      .add_option("--baud", options.baud,
+                  "19200 if not given (rung load: first as the I/O map says; so parity and unit)")
+      ->check(CLI::IsMember(
+          {9600, 19200, 38400, 57600, 115200, 230400, 460800, 500000, 576000, 921600}));
+  command.add_option("--parity", options.parity, "even if not given")
+      ->check(CLI::IsMember({"none", "odd", "even"}));
+  command.add_option("--unit", options.unit, "Modbus unit address, 1 if not given")
+      ->check(CLI::Range(1, 247));
+  command.add_option("--timeout", options.timeout_ms, "milliseconds to wait for an answer")
+      ->check(CLI::Range(1, 600'000))
+      ->capture_default_str();
 }
 
 CLI::App* add_command(CLI::App& app, Options& options, Command which, const char* name,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// rung: compile, run, check and translate ladder programs, and talk to the controllers that run
-// them.
+// rung: compile, run, check, translate and show ladder programs, and talk to the controllers that
+// run them.
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -35,6 +35,8 @@ int execute(const rung::cli::Options& options) {
       return control_command(options);
     case Command::Device:
       return device_command(options);
+    case Command::View:
+      return view_command(options);
   }
   return kUsage;
 }

@@ -149,6 +149,7 @@ std::optional<int> parse(int argc, char** argv, Options& options) {
   define_export(app, options);
   define_client_commands(app, options);
   define_device(app, options);
+  define_view(app, options);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

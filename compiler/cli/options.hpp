@@ -30,7 +30,8 @@ enum class Command {
   Monitor,
   Force,
   Control,
-  Device
+  Device,
+  View
 };
 
 struct Options {
@@ -86,6 +87,11 @@ struct Options {
   bool fast = false;
   std::vector<std::string> inputs;
   bool watch = false;
+  // view
+  std::string listen;  // [ADDRESS:]PORT
+  std::string token;
+  bool text = false;
+  bool no_browser = false;
 };
 
 // A wrong usage that CLI11 cannot see.
@@ -117,5 +123,6 @@ int monitor_command(const Options& options);
 int force_command(const Options& options);
 int control_command(const Options& options);
 int device_command(const Options& options);
+int view_command(const Options& options);
 
 }  // namespace rung::cli

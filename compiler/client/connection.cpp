@@ -175,6 +175,11 @@ void Connection::write_words(int address, std::span<const std::uint16_t> words) 
   });
 }
 
+void Connection::write_bit(int address, bool value) {
+  ask(kTries, "writing a coil", address,
+      [&] { return modbus_write_bit(line_.get(), address, value ? 1 : 0); });
+}
+
 void Connection::write_once(int address, std::uint16_t word) {
   ask(1, "writing a register", address,
       [&] { return modbus_write_register(line_.get(), address, word); });

@@ -49,6 +49,7 @@ class Connection {
   std::vector<std::uint16_t> read_words(int address, int count);
   std::vector<bool> read_bits(int address, int count, bool discrete);
   void write_words(int address, std::span<const std::uint16_t> words);
+  void write_bit(int address, bool value);
   void write_once(int address, std::uint16_t word);
 
   void set_timeout(int milliseconds);

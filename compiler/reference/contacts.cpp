@@ -6,6 +6,7 @@ namespace rung {
 
 void Reference::execute_contact(const Instruction& instruction) {
   const bool value = contact(instruction);
+  closed_ = value;
   switch (instruction.op) {
     case Op::And:
     case Op::Ani:

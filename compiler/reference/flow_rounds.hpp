@@ -59,6 +59,9 @@ class FlowRounds {
   void set(Device device, std::int16_t value) { ladder_.set(device, value); }
   std::int16_t get(Device device) const { return ladder_.get(device); }
 
+  // As Reference::watch, of the ladder.
+  void watch(std::vector<Conduction>& seen) { ladder_.watch(seen); }
+
   // One round: turns, then the ladder.
   void run_round();
   // The same in its parts: begin_round(), then turn() until it gives nothing, then end_round().

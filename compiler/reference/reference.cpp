@@ -86,6 +86,7 @@ void Reference::begin_scan() {
   relay_ = true;
   forks_.clear();
   sent_.clear();
+  if (seen_ != nullptr) seen_->assign(program_.instructions.size(), {});
 }
 
 bool Reference::step() {
@@ -95,8 +96,24 @@ bool Reference::step() {
     now_.blocks.clear();
     now_.branches.clear();
   }
-  execute(program_.instructions[current_]);
+  if (seen_ == nullptr) {
+    execute(program_.instructions[current_]);
+  } else {
+    execute_seen(program_.instructions[current_]);
+  }
   return true;
+}
+
+void Reference::execute_seen(const Instruction& instruction) {
+  const bool rail = power();
+  const bool result = now_.result;  // an output keeps it; behind a CALL it is the subroutine's
+  execute(instruction);
+  const Op op = instruction.op;
+  const bool conducts = op == Op::Stl    ? now_.state_power
+                        : is_contact(op) ? closed_
+                        : is_output(op)  ? result
+                                         : now_.result;
+  seen_->at(current_) = {true, rail, conducts};
 }
 
 void Reference::execute(const Instruction& instruction) {

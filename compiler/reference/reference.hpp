@@ -28,6 +28,14 @@ struct ReferenceWrite {
   bool operator==(const ReferenceWrite&) const = default;
 };
 
+// What a drawing of the program shows of one instruction in a scan.
+struct Conduction {
+  bool executed = false;
+  bool rail = false;      // it stands where neither master control nor a step takes the power away
+  bool conducts = false;  // of a contact: whatever comes in; of anything else: the result behind it
+  bool operator==(const Conduction&) const = default;
+};
+
 // A controller that runs `program`, which must outlive it, with `tick_us` from scan to scan. All
 // devices are 0 at the start.
 class Reference {
@@ -61,6 +69,9 @@ class Reference {
   std::size_t next_instruction() const { return next_; }
   // The current result, which contacts compute and outputs use.
   bool result() const { return now_.result; }
+  // From the next scan on, keeps in `seen`, which must outlive this, what each instruction did when
+  // it was executed last in the scan.
+  void watch(std::vector<Conduction>& seen) { seen_ = &seen; }
 
   // The writes of the scan so far, in the order of execution: OUT always; the other instructions
   // when they were executed; 32 bits as low word, then high word; digit groups as bits, ascending.
@@ -115,6 +126,7 @@ class Reference {
 
   // Machine: reference.cpp.
   void execute(const Instruction& instruction);
+  void execute_seen(const Instruction& instruction);
   void execute_located(const Instruction& instruction);
   bool power() const;
   // The condition of every output instruction.
@@ -224,6 +236,8 @@ class Reference {
   std::vector<Loop> loops_;
   std::vector<ReferenceWrite> writes_;
   bool error_ = false;
+  bool closed_ = false;  // the contact that was executed last conducts
+  std::vector<Conduction>* seen_ = nullptr;
 
   // LDmicro.
   bool relay_ = true;                        // of MASTER RELAY

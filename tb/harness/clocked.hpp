@@ -19,7 +19,11 @@ class Clocked {
     dut_->clk_i = 0;
     dut_->rst_ni = 1;
   }
-  ~Clocked() { dut_->final(); }
+  ~Clocked() {
+    // A model takes its scopes out of the context that its thread used last.
+    Verilated::threadContextp(context_.get());
+    dut_->final();
+  }
   Clocked(const Clocked&) = delete;
   Clocked& operator=(const Clocked&) = delete;
 

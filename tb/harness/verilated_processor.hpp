@@ -91,6 +91,10 @@ class VerilatedProcessor final : public Processor {
     return run(on_retire);
   }
 
+  // Calls `observer` in every clock of the scans to come, with the model as it is in that clock.
+  void observe_clocks(std::function<void()> observer) { on_clock_ = std::move(observer); }
+  Dut& dut() { return *dut_.operator->(); }
+
  private:
   static constexpr int kSlots = kMpu == isa::Mpu::Mpu3 ? 2 : 1;
   static constexpr int kChunkBits = 16;
@@ -122,6 +126,7 @@ class VerilatedProcessor final : public Processor {
     bool done = false;
     while (!done) {
       check_writes();
+      if (on_clock_) on_clock_();
       if (observe && dut_->retire_valid_o != 0) report(on_retire);
       done = dut_->done_o != 0;
       if (done) {
@@ -204,6 +209,7 @@ class VerilatedProcessor final : public Processor {
   std::uint16_t length_ = 0;  // of the loaded program
   std::uint32_t clock_limit_ = 1000;
   std::array<Writes, 2> writes_{};  // of the last two clocks of a scan, the last one first
+  std::function<void()> on_clock_;
   Clocked<Dut> dut_;
 };
 

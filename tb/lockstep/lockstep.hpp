@@ -37,6 +37,8 @@ class Lockstep {
   std::optional<Difference> compare_state();
 
   const Reference& reference() const { return reference_; }
+  // As Reference::watch.
+  void watch(std::vector<Conduction>& seen) { reference_.watch(seen); }
   // Of the scan that ran last.
   const ScanResult& result() const { return result_; }
 

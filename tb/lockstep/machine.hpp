@@ -50,6 +50,9 @@ class Machine {
   void observe(RetireObserver observer) { observer_ = std::move(observer); }
   // Reads a device, by its index in Image::devices, back from the processor.
   std::int16_t value(std::size_t device);
+  // The same as what it was given and what has retired since leave it: without asking the
+  // processor.
+  std::int16_t known_value(std::size_t device) const { return values_[device]; }
   // Index of the device, or -1.
   int find(Device device) const;
   // The device ports, as the program has left them.

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include "lower/lower.hpp"
+#include "melsec/list.hpp"
+#include "programs/samples.hpp"
+#include "wide/schedule.hpp"
+using namespace rung;
+int main() {
+  for (int density : {10, 30, 60}) {
+    for (int slots : {4, 8, 16, 32}) {
+     for (int arity : {3, 4}) {
+      int sum = 0;
+      wide::Bounds b;
+      for (int seed = 1; seed <= 5; ++seed) {
+        Diagnostics d;
+        auto source = decode_text(sample_program(1, density, seed), "s.il", d);
+        auto program = parse_list(*source, Dialect::Paper, d);
+        core::Program low = lower::lower(*program);
+        auto logic = logic::build(low);
+        auto values = values::build(logic, low);
+        wide::Machine m;
+        m.slots = slots;
+        m.units = slots / 2;
+        m.dividers = m.units;
+        m.arity = arity;
+        auto work = wide::make_work(values, m, {});
+        wide::untangle(work, values);
+        auto s = wide::search(work, values, m, {});
+        b = wide::bounds(work, values, m);
+        sum += s.steps;
+        if (seed == 5)
+          fmt::print("density {} slots {} arity {}: {:.1f}  lookups {} groups {} bounds {} {} {} {}\n",
+                     density, slots, arity, sum / 5.0, work.look_ups.size(), work.groups.size(),
+                     b.look_ups, b.words, b.dividers, b.dependence);
+      }
+     }
+    }
+  }
+}

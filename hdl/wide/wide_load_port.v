@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// The load port of MPU4, one access a clock while no scan runs; three clocks have to lie between the last access and
+// The load port of MPU4, one access a clock while no scan runs; five clocks have to lie between the last access and
 // start_i. Spaces:
 //   0 instruction memory, write: address (step * SLOTS + slot) * 8 + chunk, 16 bits of the instruction, the
 //     highest chunk last: it writes the instruction
 //   2 bits: address row * SLOTS + lane         3 words: address row * UNITS + unit
 //   4 control, write: 0 length in steps, 1 first latch row, 2 number of latch rows
-// An access to a row goes down the pipeline as an instruction of all slots (wide_slot.v); a read answers in the
-// ninth clock after the edge that samples it.
+// An access to a row goes down the pipeline as an instruction of all slots (wide_slot.v), which read the row and
+// write it back but for one lane; if one of the five accesses before has the same row, they take that one's
+// result, as a program would. A read answers in the ninth clock after the edge that samples it.
 `default_nettype none
 `include "rung_wide.vh"
 
@@ -40,6 +41,10 @@ module wide_load_port #(
     // IF3; all 0 if there is no access
     output wire                                   l_access_o,
     output wire [        `RUNG_WIDE_LAYOUT_ROW_BITS-1:0] l_row_o,
+    // what the slots read: bits with their own lane or, if that is not 0, with this one; words
+    output wire [        `RUNG_WIDE_LAYOUT_ROW_BITS-1:0] l_bit_from_o,
+    output wire [                            1:0] l_bit_lane_o,
+    output wire [        `RUNG_WIDE_LAYOUT_ROW_BITS-1:0] l_keep_from_o,
     output wire [                      SLOTS-1:0] l_set_bit_o,
     output wire                                   l_bit_o,
     output wire [                    SLOTS/2-1:0] l_set_word_o,
@@ -52,6 +57,10 @@ module wide_load_port #(
 );
 
   localparam ROW_BITS = `RUNG_WIDE_LAYOUT_ROW_BITS;
+  localparam SPECIAL_BITS = `RUNG_WIDE_LAYOUT_SPECIAL_BITS;
+  localparam NEAR_BITS = ROW_BITS - SPECIAL_BITS;
+  localparam [NEAR_BITS-1:0] OWN = `RUNG_WIDE_NEAR_OWN;
+  localparam [NEAR_BITS-1:0] BUS_FIRST = `RUNG_WIDE_NEAR_BUS_FIRST;
   localparam UNITS = SLOTS / 2;
   localparam CHUNKS = (INSTRUCTION_BITS + 15) / 16;
   localparam [2:0] INSTRUCTIONS = 3'd0;
@@ -124,6 +133,50 @@ module wide_load_port #(
   reg [UNITS-1:0] l_set_word_q;
   reg [15:0] l_data_q;
   reg l_bit_q;
+
+  // How many accesses ago this row was accessed, 1 to 5; 0: longer ago.
+  localparam PAST = 5;
+  reg [PAST-1:0] past_valid_q;
+  reg [PAST-1:0] past_words_q;
+  reg [PAST*ROW_BITS-1:0] past_rows_q;  // the newest lowest
+  reg [NEAR_BITS-1:0] p_near;
+  integer past;
+  always @* begin
+    p_near = {NEAR_BITS{1'b0}};
+    for (past = PAST - 1; past >= 0; past = past - 1) begin
+      if (past_valid_q[past] && past_words_q[past] == p_words_q &&
+          past_rows_q[past*ROW_BITS+:ROW_BITS] == p_row_q) begin
+        p_near = past[NEAR_BITS-1:0] + 1'b1;
+      end
+    end
+  end
+  wire p_own = p_near < BUS_FIRST;
+  reg [ROW_BITS-1:0] l_bit_from_q;
+  reg [1:0] l_bit_lane_q;
+  reg [ROW_BITS-1:0] l_keep_from_q;
+  always @(posedge clk_i) begin
+    past_valid_q <= {past_valid_q[PAST-2:0], p_access_q} & {PAST{rst_ni}};
+    past_words_q <= {past_words_q[PAST-2:0], p_words_q};
+    past_rows_q  <= {past_rows_q[(PAST-1)*ROW_BITS-1:0], p_row_q};
+    if (!p_access_q) begin
+      l_bit_from_q  <= {ROW_BITS{1'b0}};
+      l_bit_lane_q  <= 2'd0;
+      l_keep_from_q <= {ROW_BITS{1'b0}};
+    end else if (p_near == {NEAR_BITS{1'b0}}) begin
+      l_bit_from_q  <= p_row_q;
+      l_bit_lane_q  <= 2'd0;
+      l_keep_from_q <= p_row_q;
+    end else begin
+      l_bit_from_q  <= {{SPECIAL_BITS{1'b1}}, p_own ? OWN : p_near};
+      l_bit_lane_q  <= p_own ? p_near[1:0] : 2'd0;
+      l_keep_from_q <= {{SPECIAL_BITS{1'b1}}, p_near};
+    end
+  end
+  assign l_bit_from_o  = l_bit_from_q;
+  assign l_bit_lane_o  = l_bit_lane_q;
+  assign l_keep_from_o = l_keep_from_q;
+
+  integer lane;
   wire space_words = space_q == WORDS;
   always @(posedge clk_i) begin
     p_access_q <= access_q && (space_words || space_q == BITS) && rst_ni;
@@ -142,11 +195,11 @@ module wide_load_port #(
     l_bit_q <= p_data_q[0];
     l_bit_we_q <= p_access_q && p_write_q && !p_words_q;
     l_word_we_q <= p_access_q && p_write_q && p_words_q;
-    for (i = 0; i < SLOTS; i = i + 1) begin
-      l_set_bit_q[i] <= p_access_q && p_write_q && !p_words_q && p_lane_q == i[SLOT_BITS-1:0];
+    for (lane = 0; lane < SLOTS; lane = lane + 1) begin
+      l_set_bit_q[lane] <= p_access_q && p_write_q && !p_words_q && p_lane_q == lane[SLOT_BITS-1:0];
     end
-    for (i = 0; i < UNITS; i = i + 1) begin
-      l_set_word_q[i] <= p_access_q && p_write_q && p_words_q && p_lane_q == i[SLOT_BITS-1:0];
+    for (lane = 0; lane < UNITS; lane = lane + 1) begin
+      l_set_word_q[lane] <= p_access_q && p_write_q && p_words_q && p_lane_q == lane[SLOT_BITS-1:0];
     end
   end
   assign l_access_o = l_access_q;

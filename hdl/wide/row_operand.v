@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+// One operand of MPU4: a copy of all rows, the lane of it, and what is too new to be there. A place whose row is
+// special (its high bits all 1) names a near value: 0, what this slot computed one or two steps ago (w), what
+// any slot computed three to five steps ago, off the bus, or what the slot puts beside the operand (d3_other_i).
+// The bus (b) is a copy of the last row beside this operand, so that the way across the chip is a clock of its
+// own; synthesis has to keep the copies apart, or all operands read one.
+`default_nettype none
+`include "rung_wide.vh"
+
+module row_operand #(
+    parameter WIDTH = 1,  // bits of a value
+    parameter LANES = 16,  // values of a row
+    parameter LANE_BITS = 4,
+    parameter ADDR_BITS = 10  // of the memory: rows it holds
+) (
+    input  wire                           clk_i,
+    // ID1: the place
+    input  wire [          LANE_BITS-1:0] d1_lane_i,
+    input  wire [`RUNG_WIDE_LAYOUT_ROW_BITS-1:0] d1_row_i,
+    input  wire                           d1_other_i,  // takes d3_other_i, whatever the place says
+    // ID3
+    input  wire [              WIDTH-1:0] d3_other_i,
+    // after EX: what this slot has computed, and what all have; where the row goes
+    input  wire [              WIDTH-1:0] w_own_i,
+    input  wire [        LANES*WIDTH-1:0] w_row_i,
+    input  wire                           w_we_i,
+    input  wire [          ADDR_BITS-1:0] w_addr_i,
+    // EX
+    output wire [              WIDTH-1:0] x_value_o
+);
+
+  localparam ROW_BITS = `RUNG_WIDE_LAYOUT_ROW_BITS;
+  localparam NEAR_BITS = ROW_BITS - `RUNG_WIDE_LAYOUT_SPECIAL_BITS;
+  // Near values by the low bits of a special row; of OWN the lane says which.
+  localparam [NEAR_BITS-1:0] OWN = `RUNG_WIDE_NEAR_OWN;
+  localparam [NEAR_BITS-1:0] BUS_3 = `RUNG_WIDE_NEAR_BUS_FIRST;
+  localparam [NEAR_BITS-1:0] BUS_4 = `RUNG_WIDE_NEAR_BUS_FIRST + 1;
+  localparam [NEAR_BITS-1:0] BUS_5 = `RUNG_WIDE_NEAR_BUS_LAST;
+  localparam OWN_1 = 1;
+  localparam OWN_2 = 2;
+
+  // ---- the bus: the row three steps before that in ID3, and the one before it ------------------
+  (* keep *) reg [LANES*WIDTH-1:0] b_row_q;
+  (* keep *) reg b_we_q;
+  (* keep *) reg [ADDR_BITS-1:0] b_addr_q;
+  reg [LANES*WIDTH-1:0] c_row_q;
+  (* keep *)
+  always @(posedge clk_i) begin
+    b_row_q  <= w_row_i;
+    b_we_q   <= w_we_i;
+    b_addr_q <= w_addr_i;
+  end
+  always @(posedge clk_i) c_row_q <= b_row_q;
+
+  // ---- ID1 -------------------------------------------------------------------------------------
+  wire d1_special = &d1_row_i[ROW_BITS-1:NEAR_BITS];
+  wire [NEAR_BITS-1:0] d1_near = d1_row_i[NEAR_BITS-1:0];
+
+  // ---- ID2: the memory; of the values from the bus those that would be gone a clock later ------
+  wire [LANES*WIDTH-1:0] d2_row;
+  bank_ram #(
+      .WIDTH(LANES * WIDTH),
+      .DEPTH(1 << ADDR_BITS),
+      .ADDR_BITS(ADDR_BITS)
+  ) rows (
+      .clk_i(clk_i),
+      .read_i(1'b1),
+      .read_addr_i(d1_row_i[ADDR_BITS-1:0]),
+      .read_data_o(d2_row),
+      .write_i(b_we_q),
+      .write_addr_i(b_addr_q),
+      .write_data_i(b_row_q)
+  );
+
+  wire d1_near_value = d1_special && !d1_other_i;
+  wire d1_own = d1_near_value && d1_near == OWN;
+  reg d2_own1_q, d2_own2_q, d2_zero_q, d2_bus3_q, d2_bus4_q, d2_bus5_q, d2_other_q;
+  reg [LANE_BITS-1:0] d2_lane_q;
+  always @(posedge clk_i) begin
+    d2_own1_q <= d1_own && {1'b0, d1_lane_i} == OWN_1;
+    d2_own2_q <= d1_own && {1'b0, d1_lane_i} == OWN_2;
+    d2_zero_q <= d1_own && {1'b0, d1_lane_i} == 0;
+    d2_bus3_q <= d1_near_value && d1_near == BUS_3;
+    d2_bus4_q <= d1_near_value && d1_near == BUS_4;
+    d2_bus5_q <= d1_near_value && d1_near == BUS_5;
+    d2_other_q <= d1_other_i || (d1_own && {1'b0, d1_lane_i} == `RUNG_WIDE_NEAR_FLAG);
+    d2_lane_q <= LANES == 1 ? {LANE_BITS{1'b0}} : d1_lane_i;
+  end
+  wire [WIDTH-1:0] d2_bus = d2_bus5_q ? c_row_q[d2_lane_q*WIDTH+:WIDTH] : b_row_q[d2_lane_q*WIDTH+:WIDTH];
+
+  // ---- ID3: the lane ---------------------------------------------------------------------------
+  reg [LANES*WIDTH-1:0] d3_row_q;
+  reg [WIDTH-1:0] d3_early_q;
+  reg [LANE_BITS-1:0] d3_lane_q;
+  reg d3_own1_q, d3_own2_q, d3_bus_q, d3_early_valid_q, d3_other_q;
+  always @(posedge clk_i) begin
+    d3_row_q <= d2_row;
+    d3_early_q <= d2_bus & {WIDTH{!d2_zero_q}};
+    d3_lane_q <= d2_lane_q;
+    d3_own1_q <= d2_own1_q;
+    d3_own2_q <= d2_own2_q;
+    d3_bus_q <= d2_bus3_q;
+    d3_early_valid_q <= d2_bus4_q || d2_bus5_q || d2_zero_q;
+    d3_other_q <= d2_other_q;
+  end
+  wire [WIDTH-1:0] d3_any = d3_bus_q ? b_row_q[d3_lane_q*WIDTH+:WIDTH] : d3_row_q[d3_lane_q*WIDTH+:WIDTH];
+  wire [WIDTH-1:0] d3_value = d3_early_valid_q ? d3_early_q :
+      d3_own2_q ? w_own_i : d3_other_q ? d3_other_i : d3_any;
+
+  // ---- EX --------------------------------------------------------------------------------------
+  reg [WIDTH-1:0] x_value_q;
+  reg x_own1_q;
+  always @(posedge clk_i) begin
+    x_value_q <= d3_value;
+    x_own1_q  <= d3_own1_q;
+  end
+  assign x_value_o = x_own1_q ? w_own_i : x_value_q;
+
+endmodule
+
+`default_nettype wire

@@ -173,7 +173,14 @@ class List {
     const Cut& cut = work_.look_ups[look_up].cut;
     for (int k = 0; k < cut.size; ++k) {
       const std::int32_t from = work_.provider[cut.leaves[k]];
-      if (from == kNone || from == look_up) continue;
+      if (from == look_up) continue;
+      if (from == kNone) {
+        const values::Node& node = values_.nodes[cut.leaves[k]];
+        if (node.kind == NodeKind::Start) {
+          ready = std::max(ready, work_.latch.ready(node.device, machine_));
+        }
+        continue;
+      }
       const Place& place = out_.look_ups[from];
       if (place.step == kNone) continue;  // in the same group: its flag
       ready = std::max(ready, place.step + (place.lane == lane ? machine_.own : machine_.other));

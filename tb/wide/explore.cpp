@@ -26,7 +26,7 @@ int main(int argc, char** argv) {
         m.dividers = std::min(m.units, arg(5, 2));
         m.arity = arity;
         m.div = arg(1, 12); m.div_interval = arg(2, 1); m.mul = arg(3, 4); m.other = arg(4, 3);
-        auto work = wide::make_work(values, m, {});
+        auto work = wide::make_work(values, m, {}, {});
         wide::untangle(work, values);
         auto s = wide::search(work, values, m, {});
         b = wide::bounds(work, values, m);

@@ -78,6 +78,9 @@ void append(Image& image, const Routine& routine, int first_origin);
 Image start_image(const Program& source, const core::Program& program, const Addresses& addresses,
                   const isa::Config& config, isa::Mpu mpu);
 
+// The source's lines, counts and what it asks of the controller around it.
+void describe_source(const Program& source, Image& image);
+
 // Fields of a word operation from its two sources; one of them is a device, but for MV, which has
 // only the second.
 void set_sources(isa::SlotInstruction& out, const core::WordSource& first,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The whole program as values: every bit is a literal of one graph of ANDs, every word the result of
 // one operation. Rungs are gone after this pass: what two of them compute alike is one node, and
-// what nobody can see is none. What may be merged is said in MERGING.md.
+// what nobody can see is none. What of it may be merged is said in MERGING.md.
 #pragma once
 
 #include <cstdint>
@@ -95,12 +95,6 @@ struct Values {
 
   std::unordered_map<std::uint64_t, NodeId> ands;
   std::map<Device, NodeId> starts;
-};
-
-struct Options {
-  // Equal computations are done once, and values that nobody can see not at all. Off: every write
-  // of the program is made, one by one.
-  bool merge = true;
 };
 
 Values build(const logic::Logic& logic, const core::Program& program);

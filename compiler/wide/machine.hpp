@@ -44,7 +44,7 @@ struct Machine {
   // Steps from one start of a unit's divider to the next.
   int div_interval = constant::distance_div_interval;
   // Units that have a divider: the first so many.
-  int dividers = 0;
+  int dividers = 2;
   // Of an exploration: results of others that one slot can take in a step; 0: all of them.
   int captures = 0;
 };

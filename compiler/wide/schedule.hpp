@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// When and where each look-up and each group runs. verify() knows nothing of how that was found.
+// When and where each look-up and each group runs. Whether that is right is checked on
+// the instructions that are made of it (verify() of assemble.hpp).
 #pragma once
 
 #include <cstdint>
@@ -48,11 +49,5 @@ struct Bounds {
   std::string_view binding() const;  // which of them it is
 };
 Bounds bounds(const Work& work, const values::Values& values, const Machine& machine);
-
-// Runs the schedule on names of values: every place is used once, every operand is there and is what
-// the work means, old values are read before they are replaced, gates, flags and results of MUL and
-// DIV are found where they must be. Empty, or the first thing that is wrong.
-std::string verify(const Schedule& schedule, const Work& work, const values::Values& values,
-                   const Machine& machine);
 
 }  // namespace rung::wide

@@ -71,6 +71,12 @@ class List {
     out_.look_ups.resize(work.look_ups.size());
     out_.groups.resize(work.groups.size());
     home_unit_.assign(work.homes, kNone);
+    home_units_.assign(work.homes, machine.units);
+    for (const Group& group : work.groups) {
+      int& units = home_units_[group.home];
+      if (group.divides) units = std::min(units, machine.dividers);
+      if (group.wide) units = 1;
+    }
     unit_load_.assign(machine.units, 0);
     divider_.assign(machine.units, {});
     find_items();
@@ -167,7 +173,14 @@ class List {
     const Cut& cut = work_.look_ups[look_up].cut;
     for (int k = 0; k < cut.size; ++k) {
       const std::int32_t from = work_.provider[cut.leaves[k]];
-      if (from == kNone || from == look_up) continue;
+      if (from == look_up) continue;
+      if (from == kNone) {
+        const values::Node& node = values_.nodes[cut.leaves[k]];
+        if (node.kind == NodeKind::Start) {
+          ready = std::max(ready, work_.latch.ready(node.device, machine_));
+        }
+        continue;
+      }
       const Place& place = out_.look_ups[from];
       if (place.step == kNone) continue;  // in the same group: its flag
       ready = std::max(ready, place.step + (place.lane == lane ? machine_.own : machine_.other));
@@ -239,13 +252,11 @@ class List {
 
   bool fits(const Group& group, int base, int lane) {
     if (group.divides) {
-      if (lane >= machine_.dividers) return false;
       for (const int start : divider_[lane]) {
         if (std::abs(start - base) < machine_.div_interval) return false;
       }
     }
     if (group.wide) {
-      if (lane != 0) return false;
       for (const int start : wide_) {
         if (std::abs(start - base) < constant::distance_wide_interval) return false;
       }
@@ -290,7 +301,7 @@ class List {
     if (!old_values_read(item, group, base)) return false;
     int best = kNone;
     const int home = home_unit_[group.home];
-    for (int lane = 0; lane < machine_.units; ++lane) {
+    for (int lane = 0; lane < home_units_[group.home]; ++lane) {
       if (home != kNone && home != lane) continue;
       if (!fits(group, base, lane)) continue;
       if (best == kNone || unit_load_[lane] < unit_load_[best]) best = lane;
@@ -333,6 +344,7 @@ class List {
   std::vector<std::int32_t> ready_, fresh_;
   std::vector<std::vector<std::int32_t>> slots_, units_;
   std::vector<int> home_unit_, unit_load_;
+  std::vector<int> home_units_;  // the first so many units can be a home's
   std::vector<std::vector<int>> divider_;
   std::vector<int> wide_;
   std::map<Device, int> last_read_;

@@ -183,6 +183,8 @@ class Maker {
   void settle_bits() {
     std::set<std::int32_t> taken;
     std::set<std::int32_t> shared;
+    std::map<Device, std::size_t> writers;
+    for (const auto& write : values_.bit_writes) writers[write.device] = write.instruction;
     for (const Device device : needs_.bits) {
       const Literal value = values_.bits.at(device);
       const bool alone = !merge_ || kept_from_start(device) || !values::is_visible(device);
@@ -202,6 +204,7 @@ class Maker {
       taken.insert(place);
       if (!alone) shared.insert(place);
       work_.bit_home[device] = place;
+      work_.look_ups[place].instruction = writers.at(device);
     }
     if (merge_) return;
     // Each write has a place of its own; the last of a device is where it lives.
@@ -213,7 +216,10 @@ class Maker {
 
   // ---- words ----
   std::int32_t gate_of(const WordOp& op) {
-    return op.gate == kTrue ? kNone : add_again(op.gate);
+    if (op.gate == kTrue) return kNone;
+    const std::int32_t gate = add_again(op.gate);
+    work_.look_ups[gate].instruction = op.instruction;
+    return gate;
   }
 
   WordWork& add_word(Group& group, Opcode opcode, int offset) {
@@ -303,6 +309,7 @@ class Maker {
       default:
         assert(false && "no word operation");
     }
+    if (op.outputs == 0) group.test = id;
     operation_group(id) = static_cast<std::int32_t>(work_.groups.size());
     work_.groups.push_back(std::move(group));
   }
@@ -483,8 +490,11 @@ class Maker {
 
 }  // namespace
 
-Work make_work(const Values& values, const Machine& machine, const WorkOptions& options) {
-  return Maker(values, machine, options).make();
+Work make_work(const Values& values, const Machine& machine, const Latch& latch,
+               const WorkOptions& options) {
+  Work work = Maker(values, machine, options).make();
+  work.latch = latch;
+  return work;
 }
 
 }  // namespace rung::wide

@@ -10,6 +10,7 @@
 
 #include "values/values.hpp"
 #include "wide/cover.hpp"
+#include "wide/latch.hpp"
 #include "wide/machine.hpp"
 
 namespace rung::wide {
@@ -18,6 +19,7 @@ using values::Literal;
 using values::NodeId;
 
 inline constexpr std::int32_t kNone = -1;
+inline constexpr std::size_t kNoInstruction = static_cast<std::size_t>(-1);
 
 // One bit instruction. Inputs are nodes: what a device holds at the start of the scan, a flag, or
 // what another look-up computes (Work::provider).
@@ -28,7 +30,7 @@ struct LookUp {
   std::int32_t group = kNone;     // the group that it belongs to, if it does
   // Filled with the bits `cut` names in order, for the word instruction GET beside it.
   bool gather = false;
-  std::size_t instruction = 0;  // the core instruction it is shown with
+  std::size_t instruction = kNoInstruction;  // the core instruction it is shown with
 };
 
 // One word instruction.
@@ -54,12 +56,14 @@ struct Group {
   };
   std::vector<Capture> captures;
   std::int32_t home = kNone;  // groups of one home stand in one unit
+  std::int32_t test = kNone;  // the operation whose flag it leaves, if it does
   bool divides = false;       // starts a division at its first step
   bool wide = false;          // 32-bit multiplication or division: unit 0's alone
-  std::size_t instruction = 0;
+  std::size_t instruction = kNoInstruction;
 };
 
 struct Work {
+  Latch latch;
   std::vector<LookUp> look_ups;
   std::vector<Group> groups;
   int homes = 0;
@@ -80,9 +84,13 @@ struct Work {
 };
 
 struct WorkOptions {
+  // Equal computations are made once, and values that nobody can see not at all (MERGING.md). Off:
+  // every write of the program has a place of its own.
   bool merge = true;
 };
 
-Work make_work(const values::Values& values, const Machine& machine, const WorkOptions& options);
+// `latch`: the bits that come in before the scan.
+Work make_work(const values::Values& values, const Machine& machine, const Latch& latch,
+               const WorkOptions& options);
 
 }  // namespace rung::wide

@@ -6,10 +6,11 @@
 #include "programs/samples.hpp"
 #include "wide/schedule.hpp"
 using namespace rung;
-int main() {
+int main(int argc, char** argv) {
+  const auto arg = [&](int i, int v) { return i < argc ? atoi(argv[i]) : v; };
   for (int density : {10, 30, 60}) {
-    for (int slots : {4, 8, 16, 32}) {
-     for (int arity : {3, 4}) {
+    for (int slots : {8, 16}) {
+     for (int arity : {3}) {
       int sum = 0;
       wide::Bounds b;
       for (int seed = 1; seed <= 5; ++seed) {
@@ -22,9 +23,10 @@ int main() {
         wide::Machine m;
         m.slots = slots;
         m.units = slots / 2;
-        m.dividers = m.units;
+        m.dividers = std::min(m.units, arg(5, 2));
         m.arity = arity;
-        auto work = wide::make_work(values, m, {});
+        m.div = arg(1, 12); m.div_interval = arg(2, 1); m.mul = arg(3, 4); m.other = arg(4, 3);
+        auto work = wide::make_work(values, m, {}, {});
         wide::untangle(work, values);
         auto s = wide::search(work, values, m, {});
         b = wide::bounds(work, values, m);

@@ -9,7 +9,7 @@
 
 module mpu4 #(
     parameter SLOTS = 16,  // 4, 8 or 16
-    parameter DIVIDERS = 8,  // units that have DIV, from unit 0 on; unit 0 has MULD and DIVD too
+    parameter DIVIDERS = 2,  // units that have DIV, from unit 0 on; unit 0 has MULD and DIVD too
     parameter ARITY = 3,  // operands of a bit slot
     parameter PC_BITS = 9,  // steps: 2^PC_BITS
     parameter BIT_ADDR = 10,  // rows of bits: 2^BIT_ADDR
@@ -61,9 +61,7 @@ module mpu4 #(
   wire [INSTRUCTION_BITS-1:0] m_data;
   wire l_access, l_bit, l_bit_we, l_word_we;
   wire [ROW_BITS-1:0] l_host_row;
-  wire [ROW_BITS-1:0] l_bit_from;
-  wire [1:0] l_bit_lane;
-  wire [ROW_BITS-1:0] l_keep_from;
+  wire [ROW_BITS-1:0] l_from;
   wire [SLOTS-1:0] l_latch_bits;
   wire [SLOTS-1:0] l_set_bit;
   wire [UNITS-1:0] l_set_word;
@@ -103,9 +101,7 @@ module mpu4 #(
       .m_data_o(m_data),
       .l_access_o(l_access),
       .l_row_o(l_host_row),
-      .l_bit_from_o(l_bit_from),
-      .l_bit_lane_o(l_bit_lane),
-      .l_keep_from_o(l_keep_from),
+      .l_from_o(l_from),
       .l_set_bit_o(l_set_bit),
       .l_bit_o(l_bit),
       .l_set_word_o(l_set_word),
@@ -173,10 +169,8 @@ module mpu4 #(
           .m_data_i(m_data[(s%2==0?INSTRUCTION_BITS : BIT_PART)-1:0]),
           .f1_pc_i(f1_pc),
           .f3_valid_i(f3_valid),
-          .l_bit_from_i(l_bit_from),
-          .l_lane_i(l_access && l_bit_lane == 2'd0),
-          .l_bit_lane_i(l_bit_lane),
-          .l_keep_from_i(l_keep_from),
+          .l_row_i(l_from),
+          .l_lane_i(l_access),
           .l_high_i((l_access && (l_bit || !l_set_bit[s])) || l_latch_bits[s]),
           .l_low_i((l_bit && l_set_bit[s]) || l_latch_bits[s]),
           .l_set_i(l_set_word[s/2]),

@@ -7,7 +7,7 @@
 module ulx3s_wide #(
     parameter SLOTS = 16,
     parameter WORD_ADDR = 9,
-    parameter DIVIDERS = 8
+    parameter DIVIDERS = 2
 ) (
     input  wire       clk_25mhz_i,
     input  wire       sck_i,

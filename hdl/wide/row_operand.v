@@ -31,13 +31,14 @@ module row_operand #(
 
   localparam ROW_BITS = `RUNG_WIDE_LAYOUT_ROW_BITS;
   localparam NEAR_BITS = ROW_BITS - `RUNG_WIDE_LAYOUT_SPECIAL_BITS;
-  // Near values by the low bits of a special row; of OWN the lane says which.
-  localparam [NEAR_BITS-1:0] OWN = `RUNG_WIDE_NEAR_OWN;
+  // Near values by the low bits of a special row.
+  localparam [NEAR_BITS-1:0] ZERO = `RUNG_WIDE_NEAR_ZERO;
+  localparam [NEAR_BITS-1:0] OWN_1 = `RUNG_WIDE_NEAR_OWN_FIRST;
+  localparam [NEAR_BITS-1:0] OWN_2 = `RUNG_WIDE_NEAR_OWN_LAST;
   localparam [NEAR_BITS-1:0] BUS_3 = `RUNG_WIDE_NEAR_BUS_FIRST;
   localparam [NEAR_BITS-1:0] BUS_4 = `RUNG_WIDE_NEAR_BUS_FIRST + 1;
   localparam [NEAR_BITS-1:0] BUS_5 = `RUNG_WIDE_NEAR_BUS_LAST;
-  localparam OWN_1 = 1;
-  localparam OWN_2 = 2;
+  localparam [NEAR_BITS-1:0] OTHER = `RUNG_WIDE_NEAR_FLAG;
 
   // ---- the bus: the row three steps before that in ID3, and the one before it ------------------
   (* keep *) reg [LANES*WIDTH-1:0] b_row_q;
@@ -73,18 +74,17 @@ module row_operand #(
   );
 
   wire d1_near_value = d1_special && !d1_other_i;
-  wire d1_own = d1_near_value && d1_near == OWN;
-  reg d2_own1_q, d2_own2_q, d2_zero_q, d2_bus3_q, d2_bus4_q, d2_bus5_q, d2_other_q;
+  reg d2_zero_q, d2_own1_q, d2_own2_q, d2_bus3_q, d2_bus4_q, d2_bus5_q, d2_other_q;
   reg [LANE_BITS-1:0] d2_lane_q;
   always @(posedge clk_i) begin
-    d2_own1_q <= d1_own && {1'b0, d1_lane_i} == OWN_1;
-    d2_own2_q <= d1_own && {1'b0, d1_lane_i} == OWN_2;
-    d2_zero_q <= d1_own && {1'b0, d1_lane_i} == 0;
-    d2_bus3_q <= d1_near_value && d1_near == BUS_3;
-    d2_bus4_q <= d1_near_value && d1_near == BUS_4;
-    d2_bus5_q <= d1_near_value && d1_near == BUS_5;
-    d2_other_q <= d1_other_i || (d1_own && {1'b0, d1_lane_i} == `RUNG_WIDE_NEAR_FLAG);
-    d2_lane_q <= LANES == 1 ? {LANE_BITS{1'b0}} : d1_lane_i;
+    d2_zero_q  <= d1_near_value && d1_near == ZERO;
+    d2_own1_q  <= d1_near_value && d1_near == OWN_1;
+    d2_own2_q  <= d1_near_value && d1_near == OWN_2;
+    d2_bus3_q  <= d1_near_value && d1_near == BUS_3;
+    d2_bus4_q  <= d1_near_value && d1_near == BUS_4;
+    d2_bus5_q  <= d1_near_value && d1_near == BUS_5;
+    d2_other_q <= d1_other_i || (d1_special && d1_near == OTHER);
+    d2_lane_q  <= d1_lane_i;
   end
   wire [WIDTH-1:0] d2_bus = d2_bus5_q ? c_row_q[d2_lane_q*WIDTH+:WIDTH] : b_row_q[d2_lane_q*WIDTH+:WIDTH];
 

@@ -41,10 +41,7 @@ module wide_load_port #(
     // IF3; all 0 if there is no access
     output wire                                   l_access_o,
     output wire [        `RUNG_WIDE_LAYOUT_ROW_BITS-1:0] l_row_o,
-    // what the slots read: bits with their own lane or, if that is not 0, with this one; words
-    output wire [        `RUNG_WIDE_LAYOUT_ROW_BITS-1:0] l_bit_from_o,
-    output wire [                            1:0] l_bit_lane_o,
-    output wire [        `RUNG_WIDE_LAYOUT_ROW_BITS-1:0] l_keep_from_o,
+    output wire [        `RUNG_WIDE_LAYOUT_ROW_BITS-1:0] l_from_o,  // where the slots read it
     output wire [                      SLOTS-1:0] l_set_bit_o,
     output wire                                   l_bit_o,
     output wire [                    SLOTS/2-1:0] l_set_word_o,
@@ -59,8 +56,6 @@ module wide_load_port #(
   localparam ROW_BITS = `RUNG_WIDE_LAYOUT_ROW_BITS;
   localparam SPECIAL_BITS = `RUNG_WIDE_LAYOUT_SPECIAL_BITS;
   localparam NEAR_BITS = ROW_BITS - SPECIAL_BITS;
-  localparam [NEAR_BITS-1:0] OWN = `RUNG_WIDE_NEAR_OWN;
-  localparam [NEAR_BITS-1:0] BUS_FIRST = `RUNG_WIDE_NEAR_BUS_FIRST;
   localparam UNITS = SLOTS / 2;
   localparam CHUNKS = (INSTRUCTION_BITS + 15) / 16;
   localparam [2:0] INSTRUCTIONS = 3'd0;
@@ -150,31 +145,16 @@ module wide_load_port #(
       end
     end
   end
-  wire p_own = p_near < BUS_FIRST;
-  reg [ROW_BITS-1:0] l_bit_from_q;
-  reg [1:0] l_bit_lane_q;
-  reg [ROW_BITS-1:0] l_keep_from_q;
+  reg [ROW_BITS-1:0] l_from_q;
   always @(posedge clk_i) begin
     past_valid_q <= {past_valid_q[PAST-2:0], p_access_q} & {PAST{rst_ni}};
     past_words_q <= {past_words_q[PAST-2:0], p_words_q};
     past_rows_q  <= {past_rows_q[(PAST-1)*ROW_BITS-1:0], p_row_q};
-    if (!p_access_q) begin
-      l_bit_from_q  <= {ROW_BITS{1'b0}};
-      l_bit_lane_q  <= 2'd0;
-      l_keep_from_q <= {ROW_BITS{1'b0}};
-    end else if (p_near == {NEAR_BITS{1'b0}}) begin
-      l_bit_from_q  <= p_row_q;
-      l_bit_lane_q  <= 2'd0;
-      l_keep_from_q <= p_row_q;
-    end else begin
-      l_bit_from_q  <= {{SPECIAL_BITS{1'b1}}, p_own ? OWN : p_near};
-      l_bit_lane_q  <= p_own ? p_near[1:0] : 2'd0;
-      l_keep_from_q <= {{SPECIAL_BITS{1'b1}}, p_near};
-    end
+    if (!p_access_q) l_from_q <= {ROW_BITS{1'b0}};
+    else if (p_near == {NEAR_BITS{1'b0}}) l_from_q <= p_row_q;
+    else l_from_q <= {{SPECIAL_BITS{1'b1}}, p_near};
   end
-  assign l_bit_from_o  = l_bit_from_q;
-  assign l_bit_lane_o  = l_bit_lane_q;
-  assign l_keep_from_o = l_keep_from_q;
+  assign l_from_o = l_from_q;
 
   integer lane;
   wire space_words = space_q == WORDS;

@@ -29,12 +29,10 @@ module wide_slot #(
     input  wire [             INSTRUCTION_BITS-1:0] m_data_i,
     input  wire [                      PC_BITS-1:0] f1_pc_i,
     input  wire                                     f3_valid_i,
-    // IF3, while no instruction is there (else 0): operand a's row, its lane (this slot's, or l_bit_lane_i)
-    // and the table's halves for it; `keep` and, with l_set_i, a constant for the word unit
-    input  wire [          `RUNG_WIDE_LAYOUT_ROW_BITS-1:0] l_bit_from_i,
+    // IF3, while no instruction is there (else 0): the row of operand a and of `keep`; with l_lane_i a has
+    // this slot's lane; the table's halves for a; with l_set_i a constant for the word unit
+    input  wire [          `RUNG_WIDE_LAYOUT_ROW_BITS-1:0] l_row_i,
     input  wire                                     l_lane_i,
-    input  wire [                              1:0] l_bit_lane_i,
-    input  wire [          `RUNG_WIDE_LAYOUT_ROW_BITS-1:0] l_keep_from_i,
     input  wire                                     l_high_i,
     input  wire                                     l_low_i,
     input  wire                                     l_set_i,
@@ -84,10 +82,7 @@ module wide_slot #(
 
   // ---- ID1: the bit slot's part ----------------------------------------------------------------
   localparam [SLOT_BITS-1:0] LANE = SLOT;
-  wire [SLOT_BITS-1:0] l_lane = LANE & {SLOT_BITS{l_lane_i}};
-  wire [PLACE_BITS-1:0] l_place = {
-    l_bit_from_i, l_lane | {{SLOT_BITS - 2{1'b0}}, l_bit_lane_i}
-  };
+  wire [PLACE_BITS-1:0] l_place = {l_row_i, LANE & {SLOT_BITS{l_lane_i}}};
   wire [BIT_PART-1:0] l_bit_part = {
     l_place,
     {BIT_PART - PLACE_BITS - TABLE_BITS{1'b0}},
@@ -124,7 +119,7 @@ module wide_slot #(
         OP_MV & {OP_BITS{l_set_i}},
         l_set_i,
         CONSTANT_S2 & {KIND_BITS{l_set_i}},
-        l_keep_from_i,
+        l_row_i,
         {UNIT_BITS + ROW_BITS{1'b0}},
         l_data_i
       };
@@ -154,8 +149,7 @@ module wide_slot #(
       assign w_word_o = {`RUNG_WIDE_LAYOUT_WORD_BITS{1'b0}};
       assign w_flag_o = 1'b0;
       assign w_div_by_0_o = 1'b0;
-      wire unused_unit = &{1'b0, rst_ni, x_start_i, x_operands, w_words_i, w_word_we_i, l_set_i, l_data_i,
-                            l_keep_from_i};
+      wire unused_unit = &{1'b0, rst_ni, x_start_i, x_operands, w_words_i, w_word_we_i, l_set_i, l_data_i};
     end
   endgenerate
 

@@ -35,10 +35,6 @@ module word_unit #(
   localparam BITS = `RUNG_WIDE_LAYOUT_WORD_BITS;
   localparam ROW_BITS = `RUNG_WIDE_LAYOUT_ROW_BITS;
   localparam OP_BITS = `RUNG_WIDE_LAYOUT_OP_BITS;
-  localparam SPECIAL_BITS = `RUNG_WIDE_LAYOUT_SPECIAL_BITS;
-  localparam NEAR_BITS = ROW_BITS - SPECIAL_BITS;
-  localparam [NEAR_BITS-1:0] OWN = `RUNG_WIDE_NEAR_OWN;
-  localparam [NEAR_BITS-1:0] BUS_FIRST = `RUNG_WIDE_NEAR_BUS_FIRST;
   localparam S1_AT = BITS;
   localparam KEEP_AT = S1_AT + UNIT_BITS + ROW_BITS;
   localparam KIND_AT = KEEP_AT + ROW_BITS;
@@ -55,21 +51,16 @@ module word_unit #(
                      f3_op == `RUNG_WIDE_OP_QUO || f3_op == `RUNG_WIDE_OP_REM ||
                      f3_op == `RUNG_WIDE_OP_MW0 || f3_op == `RUNG_WIDE_OP_MW1 ||
                      f3_op == `RUNG_WIDE_OP_MW2 || f3_op == `RUNG_WIDE_OP_MW3;
-  // `keep` has no lane: its special rows 1 and 2 are the own values that others name by the lane.
-  wire [ROW_BITS-1:0] f3_keep = f3_instruction_i[KEEP_AT+:ROW_BITS];
-  wire f3_keep_own = &f3_keep[ROW_BITS-1-:SPECIAL_BITS] && f3_keep[NEAR_BITS-1:0] < BUS_FIRST;
   reg [UNIT_BITS+ROW_BITS-1:0] d1_s1_q;
   reg [UNIT_BITS+ROW_BITS-1:0] d1_s2_q;
   reg [ROW_BITS-1:0] d1_keep_q;
-  reg [1:0] d1_keep_lane_q;
   reg [BITS-1:0] d1_source_q;
   reg [OP_BITS-1:0] d1_op_q;
   reg d1_always_q, d1_other1_q, d1_other2_q, d1_collects_q;
   always @(posedge clk_i) begin
     d1_s1_q <= f3_s1;
     d1_s2_q <= f3_kind == CONSTANT_S1 ? f3_s1 : f3_instruction_i[UNIT_BITS+ROW_BITS-1:0];
-    d1_keep_q <= f3_keep_own ? {{SPECIAL_BITS{1'b1}}, OWN} : f3_keep;
-    d1_keep_lane_q <= f3_keep_own ? f3_keep[1:0] : 2'd0;
+    d1_keep_q <= f3_instruction_i[KEEP_AT+:ROW_BITS];
     d1_source_q <= f3_instruction_i[BITS-1:0];
     d1_op_q <= f3_op;
     d1_always_q <= f3_instruction_i[ALWAYS_AT];
@@ -91,7 +82,7 @@ module word_unit #(
 
   // The adder and what stands beside it are those of MPU1 to MPU3, under their opcodes.
   reg [`RUNG_OP_BITS-1:0] d2_alu_op;
-  reg d2_result, d2_test, d2_get, d2_div, d2_high, d2_start;
+  reg d2_result, d2_test, d2_get, d2_high, d2_start;
   always @* begin
     d2_alu_op = `RUNG_OP_MV;
     d2_result = 1'b1;
@@ -123,14 +114,13 @@ module word_unit #(
       end
     endcase
     d2_get   = d2_op_q == `RUNG_WIDE_OP_GET;
-    d2_div   = d2_op_q == `RUNG_WIDE_OP_DIV;
     d2_high  = d2_op_q == `RUNG_WIDE_OP_LDH;
     d2_start = d2_op_q == `RUNG_WIDE_OP_MULD || d2_op_q == `RUNG_WIDE_OP_DIVD;
   end
 
   // ---- ID3: what comes from the units, or stands in the instruction ----------------------------
   reg [OP_BITS-1:0] d3_op_q;
-  reg d3_always_q, d3_collects_q, d3_result_q, d3_test_q, d3_get_q, d3_div_q, d3_high_q, d3_start_q;
+  reg d3_always_q, d3_collects_q, d3_result_q, d3_test_q, d3_get_q, d3_high_q, d3_start_q;
   reg [BITS-1:0] d3_source_q;
   always @(posedge clk_i) begin
     d3_op_q <= d2_op_q;
@@ -139,7 +129,6 @@ module word_unit #(
     d3_result_q <= d2_result;
     d3_test_q <= d2_test;
     d3_get_q <= d2_get;
-    d3_div_q <= d2_div;
     d3_high_q <= d2_high;
     d3_start_q <= d2_start;
     d3_source_q <= d2_source_q;
@@ -214,11 +203,11 @@ module word_unit #(
   row_operand #(
       .WIDTH(BITS),
       .LANES(1),
-      .LANE_BITS(2),
+      .LANE_BITS(1),
       .ADDR_BITS(ADDR_BITS)
   ) keep (
       .clk_i(clk_i),
-      .d1_lane_i(d1_keep_lane_q),
+      .d1_lane_i(1'b0),
       .d1_row_i(d1_keep_q),
       .d1_other_i(1'b0),
       .d3_other_i({BITS{1'b0}}),
@@ -230,14 +219,13 @@ module word_unit #(
   );
 
   // ---- EX --------------------------------------------------------------------------------------
-  reg x_always_q, x_result_q, x_no_result_q, x_test_q, x_get_q, x_div_q, x_high_q, x_start_q, x_wide_div_q;
+  reg x_always_q, x_result_q, x_no_result_q, x_test_q, x_get_q, x_high_q, x_start_q, x_wide_div_q;
   always @(posedge clk_i) begin
     x_always_q <= d3_always_q;
     x_result_q <= d3_result_q && !d3_no_result;
     x_no_result_q <= d3_no_result;
     x_test_q <= d3_test_q;
     x_get_q <= d3_get_q;
-    x_div_q <= d3_div_q;
     x_high_q <= d3_high_q;
     x_start_q <= d3_start_q;
     x_wide_div_q <= d3_op_q == `RUNG_WIDE_OP_DIVD;
@@ -298,7 +286,6 @@ module word_unit #(
     if (DIVIDER != 0) begin : g_divider
       wide_divider divider (
           .clk_i(clk_i),
-          .x_start_i(x_div_q),
           .x_s1_i(x_s1),
           .x_s2_i(x_s2),
           .d3_quotient_o(d3_quotient),
@@ -308,7 +295,6 @@ module word_unit #(
       );
     end else begin : g_no_divider
       assign {d3_quotient, d3_remainder, d3_zero, d3_zero_late} = {2 * BITS + 2{1'b0}};
-      wire unused_div = x_div_q;
     end
     if (WIDE != 0) begin : g_wide
       wire unused_zero;

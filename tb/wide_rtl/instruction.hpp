@@ -27,9 +27,9 @@ inline constexpr int kSpecial =
 
 inline bool is_special(int row) { return row >= kSpecial; }
 // What the same slot or unit computed so many (1, 2) steps ago.
-inline Place own(int steps) { return {kSpecial + constant::near_own, steps}; }
-inline Place zero() { return {kSpecial + constant::near_own, 0}; }
-inline Place flag() { return {kSpecial + constant::near_own, constant::near_flag}; }
+inline Place own(int steps) { return {kSpecial + constant::near_own_first + steps - 1, 0}; }
+inline Place zero() { return {kSpecial + constant::near_zero, 0}; }
+inline Place flag() { return {kSpecial + constant::near_flag, 0}; }
 // What `lane` computed so many (3 to 5) steps ago.
 inline Place bus(int steps, int lane) { return {kSpecial + steps, lane}; }
 // `keep`: what the own unit computed so many (1 to 5) steps ago.

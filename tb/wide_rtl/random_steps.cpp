@@ -44,12 +44,11 @@ class Generator {
     bool cleared = false;
     int test = -1000;
     int clear = -1000;  // GET that clears acc
-    int div = -1000;
-    int div_before = -1000;
-    int high = -1000;  // LDH
+    int high = -1000;   // LDH
     int wide = -1000;
     bool wide_divides = false;
     std::vector<int> muls{};
+    std::vector<int> divs{};
   };
 
   int below(int n) { return std::uniform_int_distribution<int>(0, n - 1)(random_); }
@@ -107,11 +106,9 @@ class Generator {
     if (one_in(2)) return {memory_row(true), below(units_)};
     const int steps = below(constant::near_bus_last + 1);
     if (steps == 0 || now_ < steps) return zero();
-    if (steps < constant::near_bus_first) return steps < 1 << lane_bits() ? own(steps) : zero();
+    if (steps < constant::near_bus_first) return own(steps);
     return bus(steps, below(units_));
   }
-  // An own value is named in the bits of a unit's number.
-  int lane_bits() const { return slots_ == 4 ? 1 : 2; }
   int keep_row() {
     const int steps = 1 + below(constant::near_bus_last);
     return one_in(2) && now_ >= steps ? keep_near(steps) : memory_row(true);
@@ -140,8 +137,8 @@ class Generator {
       };
       if (had_mul(constant::distance_mul) && one_in(2)) return Opcode::Mull;
       if (had_mul(constant::distance_mul + 1)) return Opcode::Mulh;
-      for (int start : {state.div, state.div_before}) {
-        if (now_ - start == constant::distance_div) return Opcode::Quo;
+      for (int start : state.divs) {
+        if (now_ - start == constant::distance_div && one_in(2)) return Opcode::Quo;
         if (now_ - start == constant::distance_div + 1) return Opcode::Rem;
       }
       const int done =
@@ -158,9 +155,8 @@ class Generator {
       state.high = now_;
       return Opcode::Ldh;
     }
-    if (now_ >= state.div + constant::distance_div_interval && one_in(4)) {
-      state.div_before = state.div;
-      state.div = now_;
+    if (unit < dividers_ && one_in(4)) {
+      state.divs.push_back(now_);
       return Opcode::Div;
     }
     if (one_in(5)) {
@@ -179,6 +175,7 @@ class Generator {
   std::mt19937& random_;
   int slots_;
   int units_;
+  int dividers_;
   int length_;
   int latch_times_ = 0;
   int now_ = 0;

@@ -34,8 +34,7 @@ StepModel::StepModel(int slots)
       carry_(static_cast<std::size_t>(units_)),
       flags_(static_cast<std::size_t>(units_)),
       acc_(static_cast<std::size_t>(units_)),
-      divisions_(static_cast<std::size_t>(units_)),
-      divisions_old_(static_cast<std::size_t>(units_)) {}
+      divisions_(static_cast<std::size_t>(units_)) {}
 
 void StepModel::write_bit(const Place& place, bool value) {
   bits_.at(static_cast<std::size_t>(place.row)).at(static_cast<std::size_t>(place.lane)) = value;
@@ -90,13 +89,13 @@ bool StepModel::bit(const Place& place, int slot) const {
     return bits_[static_cast<std::size_t>(place.row)][static_cast<std::size_t>(place.lane)];
   }
   const int near = place.row - kSpecial;
-  if (near == constant::near_own && place.lane == 0) return false;
-  if (near == constant::near_own && place.lane == constant::near_flag) {
+  if (near == constant::near_zero) return false;
+  if (near == constant::near_flag) {
     return ago(constant::distance_flag).flags.at(static_cast<std::size_t>(slot / 2));
   }
-  const Moment& then = ago(near == constant::near_own ? place.lane : near);
+  const Moment& then = ago(near);
   if (!then.has_bits) throw std::logic_error("a near bit of a time without a row");
-  return then.bits[static_cast<std::size_t>(near == constant::near_own ? slot : place.lane)];
+  return then.bits[static_cast<std::size_t>(near < constant::near_bus_first ? slot : place.lane)];
 }
 
 std::uint16_t StepModel::word(const Place& place, int unit) const {
@@ -106,10 +105,10 @@ std::uint16_t StepModel::word(const Place& place, int unit) const {
     return words_[static_cast<std::size_t>(place.row)][static_cast<std::size_t>(place.lane)];
   }
   const int near = place.row - kSpecial;
-  if (near == constant::near_own && place.lane == 0) return 0;
-  const Moment& then = ago(near == constant::near_own ? place.lane : near);
+  if (near == constant::near_zero) return 0;
+  const Moment& then = ago(near);
   if (!then.has_words) throw std::logic_error("a near word of a time without a row");
-  return then.words[static_cast<std::size_t>(near == constant::near_own ? unit : place.lane)];
+  return then.words[static_cast<std::size_t>(near < constant::near_bus_first ? unit : place.lane)];
 }
 
 std::uint16_t StepModel::keep(int row, int unit) const {
@@ -216,19 +215,19 @@ void StepModel::step_word(const WordInstruction& instruction, int unit, unsigned
       result = static_cast<unsigned>(ago(constant::distance_mul + 1).product[u]) >> 16;
       break;
     case Opcode::Div:
-      divisions_old_[u] = divisions_[u];
-      divisions_[u] = {now_, s1, s2};
+      divisions_[u].push_back({now_, s1, s2});
       break;
     case Opcode::Quo:
     case Opcode::Rem: {
       const bool quotient = instruction.op == Opcode::Quo;
       const int start = now_ - constant::distance_div - (quotient ? 0 : 1);
-      const Division& division = divisions_[u].start == start ? divisions_[u] : divisions_old_[u];
-      if (division.start != start) throw std::logic_error("a result of no division");
-      collected_by_0 = division.s2 == 0;
+      const auto division = std::find_if(divisions_[u].begin(), divisions_[u].end(),
+                                         [&](const Division& one) { return one.start == start; });
+      if (division == divisions_[u].end()) throw std::logic_error("a result of no division");
+      collected_by_0 = division->s2 == 0;
       if (collected_by_0) break;
-      const Quotient both = divide(as_signed(static_cast<std::uint16_t>(division.s1)),
-                                   as_signed(static_cast<std::uint16_t>(division.s2)));
+      const Quotient both = divide(as_signed(static_cast<std::uint16_t>(division->s1)),
+                                   as_signed(static_cast<std::uint16_t>(division->s2)));
       result = quotient ? both.quotient : both.remainder;
       break;
     }
@@ -270,6 +269,7 @@ std::vector<Row> StepModel::scan(const std::vector<Step>& steps, int latch_row, 
                                  const std::vector<bool>& inputs) {
   flush();
   error_ = false;
+  for (auto& divisions : divisions_) divisions.clear();
   std::fill(carry_.begin(), carry_.end(), false);
   const auto moment = [&](int row) {
     Moment now;

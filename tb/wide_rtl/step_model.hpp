@@ -70,8 +70,7 @@ class StepModel {
   std::vector<bool> carry_;
   std::vector<bool> flags_;
   std::vector<std::uint16_t> acc_;
-  std::vector<Division> divisions_;      // the unit's last
-  std::vector<Division> divisions_old_;  // and the one before
+  std::vector<std::vector<Division>> divisions_;  // of each unit in this scan
   Wide wide_;
   std::uint16_t high1_ = 0;
   std::uint16_t high2_ = 0;

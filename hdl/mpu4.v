@@ -67,10 +67,15 @@ module mpu4 #(
   wire [UNITS-1:0] l_set_word;
   wire [WORD_BITS-1:0] l_data;
   wire [PC_BITS-1:0] f1_pc;
-  wire f3_valid, x_start, w_valid, w_bit_we, w_word_we;
+  wire f3_valid, x_start, w_valid, b_bit_we, b_word_we;
   wire [ROW_BITS-1:0] w_addr;
+  wire [ROW_BITS-1:0] b_addr;
   wire [SLOTS-1:0] w_bits;
   wire [UNITS*WORD_BITS-1:0] w_words;
+  // The row halfway to the operands
+  reg [SLOTS-1:0] b_bits_q;
+  reg [UNITS*WORD_BITS-1:0] b_words_q;
+  always @(posedge clk_i) {b_bits_q, b_words_q} <= {w_bits, w_words};
   wire [UNITS-1:0] w_flags;
   wire [UNITS-1:0] w_div_by_0;
 
@@ -108,8 +113,8 @@ module mpu4 #(
       .l_data_o(l_data),
       .l_bit_we_o(l_bit_we),
       .l_word_we_o(l_word_we),
-      .w_bits_i(w_bits),
-      .w_words_i(w_words)
+      .b_bits_i(b_bits_q),
+      .b_words_i(b_words_q)
   );
 
   wide_fetch #(
@@ -136,9 +141,10 @@ module mpu4 #(
       .l_word_we_i(l_word_we),
       .x_start_o(x_start),
       .w_valid_o(w_valid),
-      .w_bit_we_o(w_bit_we),
-      .w_word_we_o(w_word_we),
-      .w_addr_o(w_addr)
+      .b_bit_we_o(b_bit_we),
+      .b_word_we_o(b_word_we),
+      .w_addr_o(w_addr),
+      .b_addr_o(b_addr)
   );
 
   genvar s;
@@ -179,11 +185,11 @@ module mpu4 #(
           .d3_flag_i(w_flags[s/2]),
           .w_flag_o(w_flag),
           .w_div_by_0_o(w_zero),
-          .w_bits_i(w_bits),
-          .w_words_i(w_words),
-          .w_bit_we_i(w_bit_we),
-          .w_word_we_i(w_word_we),
-          .w_addr_i(w_addr),
+          .b_bits_i(b_bits_q),
+          .b_words_i(b_words_q),
+          .b_bit_we_i(b_bit_we),
+          .b_word_we_i(b_word_we),
+          .b_addr_i(b_addr),
           .w_bit_o(w_bits[s]),
           .w_word_o(w_word)
       );
@@ -210,7 +216,7 @@ module mpu4 #(
   assign retire_bits_o  = w_bits;
   assign retire_words_o = w_words;
 `else
-  wire unused_valid = w_valid;
+  wire unused_retire = &{1'b0, w_valid, w_addr};
 `endif
 
 endmodule

@@ -16,10 +16,10 @@ module bit_slot #(
     input  wire [INSTRUCTION_BITS-1:0] d1_instruction_i,
     // ID3: the flag of the word unit beside this slot
     input  wire                                                                           d3_flag_i,
-    // after EX: the row of all slots and where it goes
-    input  wire [                                                              SLOTS-1:0] w_row_i,
-    input  wire                                                                           w_we_i,
-    input  wire [                                                          ADDR_BITS-1:0] w_addr_i,
+    // the row of all slots, a clock after `w`, and where it goes
+    input  wire [SLOTS-1:0] b_row_i,
+    input  wire b_we_i,
+    input  wire [ADDR_BITS-1:0] b_addr_i,
     output wire                                                                           w_value_o,
     // EX: the operands, a the highest
     output wire [                                                   ARITY-1:0] x_operands_o
@@ -28,7 +28,7 @@ module bit_slot #(
   localparam TABLE_BITS = 1 << ARITY;
   localparam PLACE_BITS = SLOT_BITS + `RUNG_WIDE_LAYOUT_ROW_BITS;
 
-  reg w_value_q;
+  reg w_value_q, b_value_q;
   genvar i;
   generate
     for (i = 0; i < ARITY; i = i + 1) begin : g_operand
@@ -44,9 +44,10 @@ module bit_slot #(
           .d1_other_i(1'b0),
           .d3_other_i(d3_flag_i),
           .w_own_i(w_value_q),
-          .w_row_i(w_row_i),
-          .w_we_i(w_we_i),
-          .w_addr_i(w_addr_i),
+          .b_own_i(b_value_q),
+          .b_row_i(b_row_i),
+          .b_we_i(b_we_i),
+          .b_addr_i(b_addr_i),
           .x_value_o(x_operands_o[i])
       );
     end
@@ -60,6 +61,7 @@ module bit_slot #(
     d3_table_q <= d2_table_q;
     x_table_q  <= d3_table_q;
     w_value_q  <= x_table_q[x_operands_o];
+    b_value_q  <= w_value_q;
   end
   assign w_value_o = w_value_q;
 

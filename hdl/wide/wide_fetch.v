@@ -31,12 +31,13 @@ module wide_fetch #(
     input  wire [`RUNG_WIDE_LAYOUT_ROW_BITS-1:0] l_host_row_i,
     input  wire                            l_bit_we_i,
     input  wire                            l_word_we_i,
-    // after EX
+    // EX, after EX, and a clock later
     output wire                            x_start_o,
     output wire                            w_valid_o,
-    output wire                            w_bit_we_o,
-    output wire                            w_word_we_o,
-    output wire [`RUNG_WIDE_LAYOUT_ROW_BITS-1:0] w_addr_o
+    output wire                            b_bit_we_o,
+    output wire                            b_word_we_o,
+    output wire [`RUNG_WIDE_LAYOUT_ROW_BITS-1:0] w_addr_o,
+    output wire [`RUNG_WIDE_LAYOUT_ROW_BITS-1:0] b_addr_o
 );
 
   localparam ROW_BITS = `RUNG_WIDE_LAYOUT_ROW_BITS;
@@ -90,8 +91,8 @@ module wide_fetch #(
   end
   assign f1_pc_o = f1_pc_q[PC_BITS-1:0];
 
-  // ---- IF2, IF3; the end is three clocks behind that in IF1 ------------------------------------
-  reg f2_valid_q, f3_valid_q, f2_end_q, f3_end_q, d1_end_q;
+  // ---- IF2, IF3; the end is four clocks behind that in IF1 -------------------------------------
+  reg f2_valid_q, f3_valid_q, f2_end_q, f3_end_q, d1_end_q, d2_end_q;
   reg [PC_BITS-1:0] f2_pc_q;
   reg [PC_BITS-1:0] f3_pc_q;
   always @(posedge clk_i) begin
@@ -100,6 +101,7 @@ module wide_fetch #(
     f2_end_q   <= f1_end && rst_ni;
     f3_end_q   <= f2_end_q && rst_ni;
     d1_end_q   <= f3_end_q && rst_ni;
+    d2_end_q   <= d1_end_q && rst_ni;
     f2_pc_q    <= f1_pc_q[PC_BITS-1:0];
     f3_pc_q    <= f2_pc_q;
   end
@@ -118,7 +120,7 @@ module wide_fetch #(
       clocks_q <= 32'd1;
     end else if (busy_q) begin
       clocks_q <= clocks_q + 32'd1;
-      if (d1_end_q) begin
+      if (d2_end_q) begin
         busy_q <= 1'b0;
         done_q <= 1'b1;
       end
@@ -154,8 +156,12 @@ module wide_fetch #(
   end
   assign x_start_o   = x_start_q;
   assign w_valid_o   = w_valid_q;
-  assign w_bit_we_o  = w_bit_we_q;
-  assign w_word_we_o = w_word_we_q;
+  reg b_bit_we_q, b_word_we_q;
+  reg [ROW_BITS-1:0] b_row_q;
+  always @(posedge clk_i) {b_bit_we_q, b_word_we_q, b_row_q} <= {w_bit_we_q, w_word_we_q, w_row_q};
+  assign b_bit_we_o  = b_bit_we_q;
+  assign b_word_we_o = b_word_we_q;
+  assign b_addr_o    = b_row_q;
   assign w_addr_o    = w_row_q;
 
 endmodule

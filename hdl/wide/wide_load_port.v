@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// The load port of MPU4, one access a clock while no scan runs; five clocks have to lie between the last access and
+// The load port of MPU4, one access a clock while no scan runs; six clocks have to lie between the last access and
 // start_i. Spaces:
 //   0 instruction memory, write: address (step * SLOTS + slot) * 8 + chunk, 16 bits of the instruction, the
 //     highest chunk last: it writes the instruction
 //   2 bits: address row * SLOTS + lane         3 words: address row * UNITS + unit
 //   4 control, write: 0 length in steps, 1 first latch row, 2 number of latch rows
 // An access to a row goes down the pipeline as an instruction of all slots (wide_slot.v), which read the row and
-// write it back but for one lane; if one of the five accesses before has the same row, they take that one's
-// result, as a program would. A read answers in the ninth clock after the edge that samples it.
+// write it back but for one lane; if one of the six accesses before has the same row, they take that one's
+// result, as a program would. A read answers in the tenth clock after the edge that samples it.
 `default_nettype none
 `include "rung_wide.vh"
 
@@ -48,9 +48,9 @@ module wide_load_port #(
     output wire [                           15:0] l_data_o,
     output wire                                   l_bit_we_o,
     output wire                                   l_word_we_o,
-    // after EX
-    input  wire [                      SLOTS-1:0] w_bits_i,
-    input  wire [(SLOTS/2)*`RUNG_WIDE_LAYOUT_WORD_BITS-1:0] w_words_i
+    // a clock after `w`
+    input  wire [                      SLOTS-1:0] b_bits_i,
+    input  wire [(SLOTS/2)*`RUNG_WIDE_LAYOUT_WORD_BITS-1:0] b_words_i
 );
 
   localparam ROW_BITS = `RUNG_WIDE_LAYOUT_ROW_BITS;
@@ -129,8 +129,8 @@ module wide_load_port #(
   reg [15:0] l_data_q;
   reg l_bit_q;
 
-  // How many accesses ago this row was accessed, 1 to 5; 0: longer ago.
-  localparam PAST = 5;
+  // How many accesses ago this row was accessed, 1 to 6; 0: longer ago.
+  localparam PAST = 6;
   reg [PAST-1:0] past_valid_q;
   reg [PAST-1:0] past_words_q;
   reg [PAST*ROW_BITS-1:0] past_rows_q;  // the newest lowest
@@ -192,8 +192,8 @@ module wide_load_port #(
   assign l_word_we_o = l_word_we_q;
   wire unused_addr = &{1'b0, addr_q};
 
-  // ---- reads: where the value is, with the access to the end of EX -----------------------------
-  localparam STAGES = 5;  // ID1, ID2, ID3, EX, after EX
+  // ---- reads: where the value is, with the access to where the rows are ------------------------
+  localparam STAGES = 6;  // ID1, ID2, ID3, EX, w, b
   reg [STAGES-1:0] read_q;
   reg [STAGES-1:0] words_q;
   reg [STAGES*SLOT_BITS-1:0] lanes_q;
@@ -202,12 +202,12 @@ module wide_load_port #(
     words_q <= {words_q[STAGES-2:0], l_words_q};
     lanes_q <= {lanes_q[(STAGES-1)*SLOT_BITS-1:0], l_lane_q};
   end
-  wire [SLOT_BITS-1:0] w_lane = lanes_q[(STAGES-1)*SLOT_BITS+:SLOT_BITS];
+  wire [SLOT_BITS-1:0] b_lane = lanes_q[(STAGES-1)*SLOT_BITS+:SLOT_BITS];
   reg rvalid_q;
   reg [15:0] rdata_q;
   always @(posedge clk_i) begin
     rvalid_q <= read_q[STAGES-1] && rst_ni;
-    rdata_q  <= words_q[STAGES-1] ? w_words_i[w_lane[UNIT_BITS-1:0]*16+:16] : {15'd0, w_bits_i[w_lane]};
+    rdata_q  <= words_q[STAGES-1] ? b_words_i[b_lane[UNIT_BITS-1:0]*16+:16] : {15'd0, b_bits_i[b_lane]};
   end
   assign load_rvalid_o = rvalid_q;
   assign load_rdata_o  = rdata_q;

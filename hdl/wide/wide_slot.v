@@ -43,12 +43,12 @@ module wide_slot #(
     input  wire                                     d3_flag_i,
     output wire                                     w_flag_o,
     output wire                                     w_div_by_0_o,
-    // after EX
-    input  wire [                        SLOTS-1:0] w_bits_i,
-    input  wire [(SLOTS/2)*`RUNG_WIDE_LAYOUT_WORD_BITS-1:0] w_words_i,
-    input  wire                                     w_bit_we_i,
-    input  wire                                     w_word_we_i,
-    input  wire [          `RUNG_WIDE_LAYOUT_ROW_BITS-1:0] w_addr_i,
+    // the row of all, a clock after `w`, and where it goes
+    input  wire [                        SLOTS-1:0] b_bits_i,
+    input  wire [(SLOTS/2)*`RUNG_WIDE_LAYOUT_WORD_BITS-1:0] b_words_i,
+    input  wire                                     b_bit_we_i,
+    input  wire                                     b_word_we_i,
+    input  wire [          `RUNG_WIDE_LAYOUT_ROW_BITS-1:0] b_addr_i,
     output wire                                     w_bit_o,
     output wire [              `RUNG_WIDE_LAYOUT_WORD_BITS-1:0] w_word_o
 );
@@ -103,9 +103,9 @@ module wide_slot #(
       .clk_i(clk_i),
       .d1_instruction_i(d1_bit_part_q),
       .d3_flag_i(d3_flag_i),
-      .w_row_i(w_bits_i),
-      .w_we_i(w_bit_we_i),
-      .w_addr_i(w_addr_i[BIT_ADDR-1:0]),
+      .b_row_i(b_bits_i),
+      .b_we_i(b_bit_we_i),
+      .b_addr_i(b_addr_i[BIT_ADDR-1:0]),
       .w_value_o(w_bit_o),
       .x_operands_o(x_operands)
   );
@@ -138,9 +138,9 @@ module wide_slot #(
           .x_start_i(x_start_i),
           .x_operands_i(x_operands),
           .x_gate_i(w_bit_o),
-          .w_row_i(w_words_i),
-          .w_we_i(w_word_we_i),
-          .w_addr_i(w_addr_i[WORD_ADDR-1:0]),
+          .b_row_i(b_words_i),
+          .b_we_i(b_word_we_i),
+          .b_addr_i(b_addr_i[WORD_ADDR-1:0]),
           .w_value_o(w_word_o),
           .w_flag_o(w_flag_o),
           .w_div_by_0_o(w_div_by_0_o)
@@ -149,7 +149,7 @@ module wide_slot #(
       assign w_word_o = {`RUNG_WIDE_LAYOUT_WORD_BITS{1'b0}};
       assign w_flag_o = 1'b0;
       assign w_div_by_0_o = 1'b0;
-      wire unused_unit = &{1'b0, rst_ni, x_start_i, x_operands, w_words_i, w_word_we_i, l_set_i, l_data_i};
+      wire unused_unit = &{1'b0, rst_ni, x_start_i, x_operands, b_words_i, b_word_we_i, l_set_i, l_data_i};
     end
   endgenerate
 

@@ -23,10 +23,10 @@ module word_unit #(
     // EX: slot 2u: its operands, and its result of the step before
     input  wire [                  ARITY-1:0] x_operands_i,
     input  wire                               x_gate_i,
-    // after EX: the row of all units and where it goes
-    input  wire [UNITS*`RUNG_WIDE_LAYOUT_WORD_BITS-1:0] w_row_i,
-    input  wire                               w_we_i,
-    input  wire [              ADDR_BITS-1:0] w_addr_i,
+    // the row of all units, a clock after `w`, and where it goes
+    input  wire [UNITS*`RUNG_WIDE_LAYOUT_WORD_BITS-1:0] b_row_i,
+    input  wire b_we_i,
+    input  wire [ADDR_BITS-1:0] b_addr_i,
     output wire [        `RUNG_WIDE_LAYOUT_WORD_BITS-1:0] w_value_o,
     output wire                               w_flag_o,
     output wire                               w_div_by_0_o
@@ -82,6 +82,12 @@ module word_unit #(
 
   // The adder and what stands beside it are those of MPU1 to MPU3, under their opcodes.
   reg [`RUNG_OP_BITS-1:0] d2_alu_op;
+  wire d2_take_wide = d2_op_q == `RUNG_WIDE_OP_MW0 || d2_op_q == `RUNG_WIDE_OP_MW1 ||
+                      d2_op_q == `RUNG_WIDE_OP_MW2 || d2_op_q == `RUNG_WIDE_OP_MW3;
+  wire [1:0] d2_word = {
+    d2_op_q == `RUNG_WIDE_OP_MW2 || d2_op_q == `RUNG_WIDE_OP_MW3,
+    d2_op_q == `RUNG_WIDE_OP_MW1 || d2_op_q == `RUNG_WIDE_OP_MW3
+  };
   reg d2_result, d2_test, d2_get, d2_high, d2_start;
   always @* begin
     d2_alu_op = `RUNG_OP_MV;
@@ -120,18 +126,17 @@ module word_unit #(
 
   // ---- ID3: what comes from the units, or stands in the instruction ----------------------------
   reg [OP_BITS-1:0] d3_op_q;
-  reg d3_always_q, d3_collects_q, d3_result_q, d3_test_q, d3_get_q, d3_high_q, d3_start_q;
+  reg d3_always_q, d3_result_q, d3_test_q, d3_get_q, d3_high_q, d3_start_q;
   reg [BITS-1:0] d3_source_q;
   always @(posedge clk_i) begin
     d3_op_q <= d2_op_q;
     d3_always_q <= d2_always_q;
-    d3_collects_q <= d2_collects_q;
     d3_result_q <= d2_result;
     d3_test_q <= d2_test;
     d3_get_q <= d2_get;
     d3_high_q <= d2_high;
     d3_start_q <= d2_start;
-    d3_source_q <= d2_source_q;
+    d3_source_q <= d2_source_q & {BITS{!d2_collects_q}};
   end
 
   wire [BITS-1:0] d3_low;
@@ -140,28 +145,24 @@ module word_unit #(
   wire [BITS-1:0] d3_remainder;
   wire [BITS-1:0] d3_wide;
   wire d3_zero, d3_zero_late, d3_wide_valid;
-  wire [1:0] d3_word = {
-    d3_op_q == `RUNG_WIDE_OP_MW2 || d3_op_q == `RUNG_WIDE_OP_MW3,
-    d3_op_q == `RUNG_WIDE_OP_MW1 || d3_op_q == `RUNG_WIDE_OP_MW3
-  };
-  reg [BITS-1:0] d3_other2;
-  reg d3_no_result;
-  always @* begin
-    d3_no_result = 1'b0;
-    d3_other2 = d3_source_q;
-    if (d3_collects_q) begin
-      case (d3_op_q)
-        `RUNG_WIDE_OP_MULL: d3_other2 = d3_low;
-        `RUNG_WIDE_OP_MULH: d3_other2 = d3_high;
-        `RUNG_WIDE_OP_QUO: {d3_no_result, d3_other2} = {d3_zero, d3_quotient};
-        `RUNG_WIDE_OP_REM: {d3_no_result, d3_other2} = {d3_zero_late, d3_remainder};
-        default: {d3_no_result, d3_other2} = {!d3_wide_valid, d3_wide};
-      endcase
-    end
+  reg d3_take_low_q, d3_take_high_q, d3_take_quotient_q, d3_take_remainder_q, d3_take_wide_q;
+  always @(posedge clk_i) begin
+    d3_take_low_q <= d2_op_q == `RUNG_WIDE_OP_MULL;
+    d3_take_high_q <= d2_op_q == `RUNG_WIDE_OP_MULH;
+    d3_take_quotient_q <= d2_op_q == `RUNG_WIDE_OP_QUO;
+    d3_take_remainder_q <= d2_op_q == `RUNG_WIDE_OP_REM;
+    d3_take_wide_q <= d2_take_wide;
   end
+  wire [BITS-1:0] d3_other2 = d3_source_q |
+      (d3_low & {BITS{d3_take_low_q}}) | (d3_high & {BITS{d3_take_high_q}}) |
+      (d3_quotient & {BITS{d3_take_quotient_q}}) | (d3_remainder & {BITS{d3_take_remainder_q}}) |
+      (d3_wide & {BITS{d3_take_wide_q}});
+  wire d3_no_result = (d3_take_quotient_q && d3_zero) || (d3_take_remainder_q && d3_zero_late) ||
+      (d3_take_wide_q && !d3_wide_valid);
 
   // ---- operands --------------------------------------------------------------------------------
   reg [BITS-1:0] w_value_q;
+  reg [BITS-1:0] b_value_q;
   wire [BITS-1:0] x_s1;
   wire [BITS-1:0] x_s2;
   wire [BITS-1:0] x_keep;
@@ -177,9 +178,10 @@ module word_unit #(
       .d1_other_i(d1_other1_q),
       .d3_other_i(d3_source_q),
       .w_own_i(w_value_q),
-      .w_row_i(w_row_i),
-      .w_we_i(w_we_i),
-      .w_addr_i(w_addr_i),
+      .b_own_i(b_value_q),
+      .b_row_i(b_row_i),
+      .b_we_i(b_we_i),
+      .b_addr_i(b_addr_i),
       .x_value_o(x_s1)
   );
   row_operand #(
@@ -194,9 +196,10 @@ module word_unit #(
       .d1_other_i(d1_other2_q),
       .d3_other_i(d3_other2),
       .w_own_i(w_value_q),
-      .w_row_i(w_row_i),
-      .w_we_i(w_we_i),
-      .w_addr_i(w_addr_i),
+      .b_own_i(b_value_q),
+      .b_row_i(b_row_i),
+      .b_we_i(b_we_i),
+      .b_addr_i(b_addr_i),
       .x_value_o(x_s2)
   );
   // Only this unit's lane.
@@ -212,9 +215,10 @@ module word_unit #(
       .d1_other_i(1'b0),
       .d3_other_i({BITS{1'b0}}),
       .w_own_i(w_value_q),
-      .w_row_i(w_value_q),
-      .w_we_i(w_we_i),
-      .w_addr_i(w_addr_i),
+      .b_own_i(b_value_q),
+      .b_row_i(b_value_q),
+      .b_we_i(b_we_i),
+      .b_addr_i(b_addr_i),
       .x_value_o(x_keep)
   );
 
@@ -256,6 +260,7 @@ module word_unit #(
   reg w_div_by_0_q;
   always @(posedge clk_i) begin
     w_value_q <= x_result_q && x_gate ? x_result : x_keep;
+    b_value_q <= w_value_q;
     w_div_by_0_q <= x_no_result_q && x_gate;
     if (x_test_q) w_flag_q <= x_test;
   end
@@ -297,6 +302,14 @@ module word_unit #(
       assign {d3_quotient, d3_remainder, d3_zero, d3_zero_late} = {2 * BITS + 2{1'b0}};
     end
     if (WIDE != 0) begin : g_wide
+      // Its result is taken a stage before ID3: that is a sum behind a choice of words.
+      wire [BITS-1:0] d2_wide;
+      wire d2_wide_valid;
+      reg [BITS-1:0] d3_wide_q;
+      reg d3_wide_valid_q;
+      always @(posedge clk_i) {d3_wide_q, d3_wide_valid_q} <= {d2_wide, d2_wide_valid};
+      assign d3_wide = d3_wide_q;
+      assign d3_wide_valid = d3_wide_valid_q;
       wire unused_zero;
       muldiv #(
           .MUL_DSP(0)
@@ -311,14 +324,14 @@ module word_unit #(
           .x_high_i(x_high_q),
           .x_s1_i(x_s1),
           .x_s2_i(x_s2),
-          .d3_word_i(d3_word),
-          .d3_result_o(d3_wide),
-          .d3_valid_o(d3_wide_valid),
+          .d3_word_i(d2_word),
+          .d3_result_o(d2_wide),
+          .d3_valid_o(d2_wide_valid),
           .w_div_by_0_o(unused_zero)
       );
     end else begin : g_no_wide
       assign {d3_wide, d3_wide_valid} = {{BITS{1'b0}}, 1'b1};
-      wire unused_wide = &{1'b0, rst_ni, x_start_q, x_high_q, x_wide_div_q, d3_word};
+      wire unused_wide = &{1'b0, rst_ni, x_start_q, x_high_q, x_wide_div_q, d2_word};
     end
   endgenerate
 

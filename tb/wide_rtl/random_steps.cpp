@@ -96,9 +96,9 @@ class Generator {
 
   Place bit_place(int slot) {
     if (one_in(2)) return {memory_row(false), below(slots_)};
-    const int steps = below(8);
+    const int steps = below(9);
     const Unit& unit = state_[static_cast<std::size_t>(slot / 2)];
-    if (steps == 6 && unit.tested && now_ - unit.test >= constant::distance_flag) return flag();
+    if (steps == 8 && unit.tested && now_ - unit.test >= constant::distance_flag) return flag();
     if (steps < 1 || steps > constant::near_bus_last || !bits_at(now_ - steps)) return zero();
     return steps < constant::near_bus_first ? own(steps) : bus(steps, below(slots_));
   }

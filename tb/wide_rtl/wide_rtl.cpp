@@ -20,8 +20,8 @@ constexpr int kBits = 2;
 constexpr int kWords = 3;
 constexpr int kControl = 4;
 // Clocks that have to lie between the last access and start.
-constexpr int kAccessClocks = 5;
-constexpr int kReadClocks = 9;
+constexpr int kAccessClocks = 6;
+constexpr int kReadClocks = 10;
 constexpr int kLimit = 2000;
 
 // A bit of a port of up to 64 bits, or of a wider one.
@@ -69,7 +69,7 @@ class Verilated final : public WideRtl {
       } else {
         tick();
       }
-      // What was sampled at edge n is there in clock n + 9, and at no other time.
+      // What was sampled at edge n is there in clock n + 10, and at no other time.
       if ((dut_->load_rvalid_o != 0) != (i >= kReadClocks - 1))
         throw std::runtime_error("load port: no answer in time");
       if (dut_->load_rvalid_o != 0) values.push_back(dut_->load_rdata_o);

@@ -187,17 +187,17 @@ std::optional<Compiled> compile_wide(const Program& program, const CompileOption
   const wide::Schedule schedule = wide::search(work, values, *machine, search);
   const wide::Code code = wide::assemble(schedule, work, values, *machine,
                                          all_devices(program, lowered.program));
+  check(program, "steps", static_cast<int>(code.steps.size()), machine->steps, *machine,
+        diagnostics);
+  check(program, "rows of bits", code.rows, machine->rows, *machine, diagnostics);
+  check(program, "rows of words", code.word_rows, machine->word_rows, *machine, diagnostics);
+  if (diagnostics.error_count() > errors) return std::nullopt;
   passes::expect(wide::verify(code, schedule, work, values, *machine), "MPU4");
 
   Compiled compiled = Maker(program, lowered.program, options, *machine).make(code, latch);
   const wide::Bounds bounds = wide::bounds(work, values, *machine);
   compiled.image.wide->report = report(code, work, bounds);
   compiled.image.statistics.lookups = static_cast<int>(work.look_ups.size());
-  check(program, "steps", static_cast<int>(code.steps.size()), machine->steps, *machine,
-        diagnostics);
-  check(program, "rows of bits", code.rows, machine->rows, *machine, diagnostics);
-  check(program, "rows of words", code.word_rows, machine->word_rows, *machine, diagnostics);
-  if (diagnostics.error_count() > errors) return std::nullopt;
   return compiled;
 }
 

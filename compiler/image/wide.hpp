@@ -46,7 +46,7 @@ struct WideImage {
   int first_latch_row = 0;
   std::vector<int> latched;  // by position: index into Image::devices
   int latch_rows = 0;
-  std::vector<WideWrite> writes;  // by step
+  std::vector<WideWrite> writes;  // those of one device in the order of the program
   std::vector<WidePort> ports;
   bool merged = true;  // writes that nobody can see may be missing
   WideReport report;

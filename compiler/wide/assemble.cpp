@@ -170,8 +170,6 @@ class Assembler {
       const Place place = schedule_.word(work_, made);
       out_.writes.push_back({place.step, place.lane, write.device, write.instruction});
     }
-    std::stable_sort(out_.writes.begin(), out_.writes.end(),
-                     [](const Write& a, const Write& b) { return a.step < b.step; });
   }
 
   const Schedule& schedule_;

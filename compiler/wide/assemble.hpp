@@ -10,7 +10,8 @@
 
 namespace rung::wide {
 
-// One write of the program, as a trace shows it.
+// One write of the program, as a trace shows it: the writes of one device in the order of the
+// program, which need not be that of their steps, for each has a place of its own.
 struct Write {
   int step = 0;
   int lane = 0;
@@ -24,7 +25,7 @@ struct Code {
   int latch_rows = 0;
   // Place of each device: row * lanes + lane, of slots for a bit, of units for a word.
   std::map<Device, int> addresses;
-  std::vector<Write> writes;  // by step
+  std::vector<Write> writes;
   // By step and lane the core instruction that it is shown with, or -1.
   std::vector<std::vector<int>> origins;
   int rows = 0;       // used, of the bit memories

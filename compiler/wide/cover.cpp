@@ -81,6 +81,7 @@ class Coverer {
     flow_.assign(values.nodes.size(), 0);
     depth_.assign(values.nodes.size(), 0);
     stop_.assign(values.nodes.size(), false);
+    open_.assign(values.nodes.size(), false);
     out_.cuts.resize(values.nodes.size());
     out_.captures.assign(values.nodes.size(), -1);
   }
@@ -133,6 +134,7 @@ class Coverer {
         if (parents_[at].size() != 1 || references_[at] != 1) break;
         const NodeId parent = parents_[at][0];
         if (stop_[parent] || reads_flag(parent, at)) break;
+        open_[at] = true;
         at = parent;
       }
       stop_[at] = true;
@@ -198,7 +200,7 @@ class Coverer {
                      : (ranked.front().first.flow + 1) /
                            static_cast<float>(std::max(1, references_[id]));
     cuts_[id].clear();
-    if (stop_[id] || !is_leaf(id)) cuts_[id].push_back(trivial(id));
+    if (stop_[id] || !(is_leaf(id) || open_[id])) cuts_[id].push_back(trivial(id));
     if (stop_[id]) return;
     for (const auto& [cost, cut] : ranked) cuts_[id].push_back(cut);
   }
@@ -257,7 +259,9 @@ class Coverer {
   int arity_;
   std::vector<std::vector<Cut>> cuts_;
   std::vector<std::vector<NodeId>> parents_;
-  std::vector<bool> live_, stop_;
+  std::vector<bool> live_;
+  std::vector<bool> stop_;  // has a look-up of its own, and others read that
+  std::vector<bool> open_;  // has none: it is on the way from a test to where its flag is taken
   std::vector<int> references_, depth_;
   std::vector<float> flow_;
   Cover out_;

@@ -76,6 +76,12 @@ class Checker {
            at.lane < lanes;
   }
   static std::string text(const Place& at) { return fmt::format("step {}.{}", at.step, at.lane); }
+  static std::string text(const Symbol& symbol) {
+    static constexpr const char* kKinds[] = {"unknown", "zero", "start", "computed", "flag"};
+    return fmt::format("{} {}.{} {}.{}", kKinds[static_cast<int>(symbol.kind)],
+                       static_cast<int>(symbol.device.kind), symbol.device.number, symbol.made,
+                       symbol.word);
+  }
   Place place(std::int32_t group, std::int32_t word) const {
     return schedule_.word(work_, {group, word});
   }
@@ -207,8 +213,10 @@ class Checker {
       const BitInstruction& code = code_.steps[at.step].bits[at.lane];
       for (int k = 0; k < look_up.cut.size; ++k) {
         const Symbol got = read(code.inputs[k], at.step, at.lane, false);
-        if (got != expected(look_up.cut.leaves[k], static_cast<std::int32_t>(i))) {
-          return fmt::format("look-up {} at {}: input {} is another value", i, text(at), k);
+        const Symbol meant = expected(look_up.cut.leaves[k], static_cast<std::int32_t>(i));
+        if (got != meant) {
+          return fmt::format("look-up {} at {}: input {} is {} instead of {}", i, text(at), k,
+                             text(got), text(meant));
         }
       }
       const int unused = machine_.arity - look_up.cut.size;

@@ -155,19 +155,22 @@ class Verilated final : public WideRtl {
 void WideRtl::load(std::span<const Step> steps, int latch_row, int latch_rows) {
   for (std::size_t step = 0; step < steps.size(); ++step) {
     for (int slot = 0; slot < slots(); ++slot) {
-      const auto parts = chunks(steps[step], slot);
-      for (std::size_t chunk = 0; chunk < parts.size(); ++chunk) {
-        const auto place = static_cast<std::uint32_t>(step) * static_cast<std::uint32_t>(slots()) +
-                           static_cast<std::uint32_t>(slot);
-        write(kInstructions, place * 8 + static_cast<std::uint32_t>(chunk), parts[chunk]);
-      }
+      load_chunks(static_cast<int>(step), slot, chunks(steps[step], slot));
     }
   }
-  write(kControl, 0, static_cast<std::uint16_t>(steps.size()));
+  set_program(static_cast<int>(steps.size()), latch_row, latch_rows);
+}
+void WideRtl::load_chunks(int step, int slot, std::span<const std::uint16_t> chunks) {
+  const auto first = static_cast<std::uint32_t>(step * slots() + slot) * 8;
+  for (std::size_t chunk = 0; chunk < chunks.size(); ++chunk) {
+    write(kInstructions, first + static_cast<std::uint32_t>(chunk), chunks[chunk]);
+  }
+}
+void WideRtl::set_program(int steps, int latch_row, int latch_rows) {
+  write(kControl, 0, static_cast<std::uint16_t>(steps));
   write(kControl, 1, static_cast<std::uint16_t>(latch_row));
   write(kControl, 2, static_cast<std::uint16_t>(latch_rows));
 }
-
 void WideRtl::write_bit(const Place& place, bool value) {
   write(kBits, static_cast<std::uint32_t>(place.row * slots() + place.lane), value ? 1 : 0);
 }

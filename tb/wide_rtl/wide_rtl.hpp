@@ -42,6 +42,8 @@ class WideRtl {
   virtual std::vector<Scan> scans(const std::vector<std::vector<bool>>& inputs) = 0;
 
   void load(std::span<const Step> steps, int latch_row, int latch_rows);
+  void load_chunks(int step, int slot, std::span<const std::uint16_t> chunks);
+  void set_program(int steps, int latch_row, int latch_rows);
   void write_bit(const Place& place, bool value);
   void write_word(const Place& place, std::uint16_t value);
   bool read_bit(const Place& place);

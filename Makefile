@@ -130,6 +130,13 @@ bench: build ## scan times of the samples beside soft cores and this machine, in
 	@$(VENV)/python scripts/report_area.py
 	@$(PYTHON) scripts/headline.py
 
+.PHONY: explore
+explore: build ## steps of other wide processors than there are: reports/explore.md
+	$(call cmake_build,build/release,$(RELEASE),--target rung-explore)
+	@build/bin/rung-explore $$(date +%F) >build/explore.md
+	@mv build/explore.md reports/explore.md
+	@echo 'wrote reports/explore.md'
+
 .PHONY: steps
 steps: build ## the paper's tables reproduced: reports/steps.md
 	$(call cmake_build,build/release,$(RELEASE),--target rung-steps)

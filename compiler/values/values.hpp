@@ -56,7 +56,8 @@ struct WordOp {
   std::vector<Word> operands;   // as core::Instruction has them
   std::vector<Literal> bits;    // Gather: the lowest first
   Literal gate = kTrue;
-  std::vector<Word> keep;       // one an output; of no meaning if the gate is kTrue
+  std::vector<Word> keep;       // one an output; of no meaning if the gate is kTrue, but for
+                                // a division, which keeps it where the divisor is 0
   int outputs = 1;              // 0: a test
   std::vector<Device> targets;  // what the outputs are written to; of hidden words too
   std::size_t instruction = 0;  // the core instruction it was made of

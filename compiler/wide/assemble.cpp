@@ -143,7 +143,7 @@ class Assembler {
         out.s2 = word(work.s2, step);
       }
       out.always = work.opcode == Opcode::Get ? work.clear : work.writes && work.gate == kNone;
-      if (work.gate != kNone) out.keep = word(work.keep, step);
+      if (work.keeps) out.keep = word(work.keep, step);
       int& origin = out_.origins[step][2 * base.lane];
       if (origin < 0) origin = static_cast<int>(group.instruction);
     }

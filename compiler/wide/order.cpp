@@ -134,7 +134,7 @@ Order make_order(const Work& work, const Values& values) {
     for (const WordWork& word : work.groups[g].words) {
       read(word.s1);
       read(word.s2);
-      if (word.gate != kNone && word.writes) read(word.keep);
+      if (word.keeps) read(word.keep);
     }
   }
   for (auto& users : order.users) make_unique(users);

@@ -265,10 +265,8 @@ class List {
       const int step = base + word.offset;
       if (unit(step, lane) != kNone) return false;
       if (word_ready(word.s1, lane) > step || word_ready(word.s2, lane) > step) return false;
-      if (word.gate != kNone) {
-        if (word_ready(word.keep, lane) > step) return false;
-        if (!look_up_fits(word.gate, step - 1, 2 * lane)) return false;
-      }
+      if (word.keeps && word_ready(word.keep, lane) > step) return false;
+      if (word.gate != kNone && !look_up_fits(word.gate, step - 1, 2 * lane)) return false;
       if (word.gather != kNone && !look_up_fits(word.gather, step, 2 * lane)) return false;
     }
     return std::all_of(group.captures.begin(), group.captures.end(), [&](const auto& each) {

@@ -299,14 +299,18 @@ class Checker {
       return "its unit cannot do that";
     }
     if (!work.writes) return {};
-    if (work.gate == kNone) return code.always ? "" : "it always runs";
-    const Place& gate = schedule_.look_ups[work.gate];
-    if (code.always || gate.step != at.step - constant::distance_gate ||
-        gate.lane != 2 * at.lane) {
-      return "its gate is not before it";
+    if (work.gate == kNone) {
+      if (!code.always) return "it always runs";
+    } else {
+      const Place& gate = schedule_.look_ups[work.gate];
+      if (code.always || gate.step != at.step - constant::distance_gate ||
+          gate.lane != 2 * at.lane) {
+        return "its gate is not before it";
+      }
+      const values::WordOp& op = values_.operations[work.operation];
+      if (work_.look_ups[work.gate].value != op.gate) return "its gate is another value";
     }
-    const values::WordOp& op = values_.operations[work.operation];
-    if (work_.look_ups[work.gate].value != op.gate) return "its gate is another value";
+    if (!work.keeps) return {};
     if (read(code.keep, at.step, at.lane, true) != expected(work.keep)) {
       return "it keeps another value";
     }

@@ -19,6 +19,11 @@ using values::Values;
 using values::Word;
 using values::WordOp;
 
+// The operation may leave its targets as they are.
+bool keeps(const WordOp& op) {
+  return op.gate != kTrue || op.op == Op::Div || op.op == Op::Div32;
+}
+
 bool is_result(const Word& word) { return word.kind == Word::Kind::Result; }
 
 // What is worth computing: what somebody sees between scans, what that needs, and hidden devices
@@ -87,7 +92,7 @@ class Needs {
       need(op.gate);
       for (const Word& word : op.operands) need(word);
       for (const Literal bit : op.bits) need(bit);
-      if (op.gate == kTrue) continue;
+      if (!keeps(op)) continue;
       for (const Word& word : op.keep) need(word);
     }
   }
@@ -240,7 +245,8 @@ class Maker {
     word.operation = id;
     word.output = output;
     word.gate = gate_of(op);
-    if (word.gate != kNone) word.keep = op.keep[output];
+    word.keeps = keeps(op);
+    if (word.keeps) word.keep = op.keep[output];
     work_.made[id][output] = {static_cast<std::int32_t>(work_.groups.size()),
                               static_cast<std::int32_t>(group.words.size()) - 1};
   }
@@ -457,7 +463,7 @@ class Maker {
     std::iota(parent_.begin(), parent_.end(), 0);
     for (std::size_t g = 0; g < work_.groups.size(); ++g) {
       for (const WordWork& word : work_.groups[g].words) {
-        if (word.gate == kNone || !word.writes) continue;
+        if (!word.keeps) continue;
         std::int32_t from = kNone;
         if (is_result(word.keep)) {
           from = work_.made[word.keep.operation][word.keep.output].group;

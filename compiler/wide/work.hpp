@@ -38,7 +38,8 @@ struct WordWork {
   Opcode opcode = Opcode::Nop;
   int offset = 0;  // steps behind the first of its group
   values::Word s1, s2;
-  values::Word keep;         // of no meaning if `always`
+  bool keeps = false;        // may leave the value: under a gate, and by a division by 0
+  values::Word keep;         // that value, if so
   std::int32_t gate = kNone;  // look-up one step before it, in slot 2u; kNone: always
   bool clear = false;        // GET: acc is cleared first
   std::int32_t gather = kNone;  // GET: the look-up beside it

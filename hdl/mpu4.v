@@ -14,13 +14,13 @@ module mpu4 #(
     parameter PC_BITS = 9,  // steps: 2^PC_BITS
     parameter BIT_ADDR = 10,  // rows of bits: 2^BIT_ADDR
     parameter WORD_ADDR = 9,  // rows of words: 2^WORD_ADDR
-    parameter LATCH_ROWS = 8  // rows of inputs, at most
+    parameter INPUTS = 256  // latched at most, a multiple of SLOTS
 ) (
     input  wire                        clk_i,
     input  wire                        rst_ni,
     // scan
     input  wire                        start_i,
-    input  wire [LATCH_ROWS*SLOTS-1:0] in_i,
+    input  wire [INPUTS-1:0] in_i,
     output wire                        done_o,
     output wire                        busy_o,
     output wire                        error_o,         // a division by 0 in this scan or the last one
@@ -48,7 +48,8 @@ module mpu4 #(
   localparam UNITS = SLOTS / 2;
   localparam SLOT_BITS = SLOTS == 16 ? 4 : SLOTS == 8 ? 3 : 2;
   localparam UNIT_BITS = SLOT_BITS - 1;
-  localparam LATCH_BITS = 4;
+  localparam LATCH_ROWS = INPUTS / SLOTS;
+  localparam LATCH_BITS = 7;
   localparam BIT_PART = (1 << ARITY) + ARITY * (SLOT_BITS + ROW_BITS);
   localparam WORD_PART = WORD_BITS + UNIT_BITS + 2 * ROW_BITS + `RUNG_WIDE_LAYOUT_KIND_BITS + 1 + `RUNG_WIDE_LAYOUT_OP_BITS;
   localparam INSTRUCTION_BITS = BIT_PART + WORD_PART;
@@ -62,7 +63,8 @@ module mpu4 #(
   wire l_access, l_bit, l_bit_we, l_word_we;
   wire [ROW_BITS-1:0] l_host_row;
   wire [ROW_BITS-1:0] l_from;
-  wire [SLOTS-1:0] l_latch_bits;
+  wire latch_valid;
+  wire [SLOTS-1:0] latch_bits;
   wire [SLOTS-1:0] l_set_bit;
   wire [UNITS-1:0] l_set_word;
   wire [WORD_BITS-1:0] l_data;
@@ -72,10 +74,13 @@ module mpu4 #(
   wire [ROW_BITS-1:0] b_addr;
   wire [SLOTS-1:0] w_bits;
   wire [UNITS*WORD_BITS-1:0] w_words;
-  // The row halfway to the operands
+  // The row halfway to the operands, where the inputs come in
   reg [SLOTS-1:0] b_bits_q;
   reg [UNITS*WORD_BITS-1:0] b_words_q;
-  always @(posedge clk_i) {b_bits_q, b_words_q} <= {w_bits, w_words};
+  always @(posedge clk_i) begin
+    b_bits_q  <= latch_valid ? latch_bits : w_bits;
+    b_words_q <= w_words;
+  end
   wire [UNITS-1:0] w_flags;
   wire [UNITS-1:0] w_div_by_0;
 
@@ -135,7 +140,8 @@ module mpu4 #(
       .latch_rows_i(latch_rows),
       .f1_pc_o(f1_pc),
       .f3_valid_o(f3_valid),
-      .l_bits_o(l_latch_bits),
+      .latch_valid_o(latch_valid),
+      .latch_bits_o(latch_bits),
       .l_host_row_i(l_host_row),
       .l_bit_we_i(l_bit_we),
       .l_word_we_i(l_word_we),
@@ -177,8 +183,8 @@ module mpu4 #(
           .f3_valid_i(f3_valid),
           .l_row_i(l_from),
           .l_lane_i(l_access),
-          .l_high_i((l_access && (l_bit || !l_set_bit[s])) || l_latch_bits[s]),
-          .l_low_i((l_bit && l_set_bit[s]) || l_latch_bits[s]),
+          .l_high_i(l_access && (l_bit || !l_set_bit[s])),
+          .l_low_i(l_bit && l_set_bit[s]),
           .l_set_i(l_set_word[s/2]),
           .l_data_i(l_data),
           .x_start_i(x_start),

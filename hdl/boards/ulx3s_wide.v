@@ -19,7 +19,7 @@ module ulx3s_wide #(
     output wire [7:0] led_o
 );
 
-  localparam LATCH_ROWS = 8;
+  localparam INPUTS = 256;
 
   wire rst_n;
   wire start, done, busy, error;
@@ -29,10 +29,10 @@ module ulx3s_wide #(
   wire [19:0] load_addr;
   wire [15:0] load_data;
   wire [15:0] load_rdata;
-  reg [LATCH_ROWS*SLOTS-1:0] inputs_q;
+  reg [INPUTS-1:0] inputs_q;
   reg [2:0] lamps_q;
   always @(posedge clk_25mhz_i) begin
-    inputs_q <= {inputs_q[LATCH_ROWS*SLOTS-2:0], inputs_i};
+    inputs_q <= {inputs_q[INPUTS-2:0], inputs_i};
     lamps_q  <= {error, busy, done};
   end
   assign led_o = {5'b0, lamps_q};
@@ -69,7 +69,7 @@ module ulx3s_wide #(
       .SLOTS(SLOTS),
       .DIVIDERS(DIVIDERS),
       .WORD_ADDR(WORD_ADDR),
-      .LATCH_ROWS(LATCH_ROWS)
+      .INPUTS(INPUTS)
   ) mpu (
       .clk_i        (clk_25mhz_i),
       .rst_ni       (rst_n),

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scan control of MPU4: program counter, latched inputs, clock counter, and where each step's row goes.
-// start_i is sampled at edge 0. Latch row i, sampled then too, is in IF3 in clock 1 + i; step t in IF1 in clock
-// 1 + t and, for latch rows beyond two, as many clocks later. done comes in the first clock in which a new
-// start cannot overtake the last step's row: `fill` clocks beside those of the steps (hdl/isa/wide.toml).
+// start_i is sampled at edge 0. Latch row i, sampled then too, is on the bus (b) in clock 3 + i, behind the last row
+// of the scan before; the row of step t in clock 9 + t and, for latch rows beyond six, as many clocks later. done
+// comes in the first clock in which a new start cannot overtake the last step's row: `fill` clocks beside those of
+// the steps (hdl/isa/wide.toml).
 `default_nettype none
 `include "rung_wide.vh"
 
@@ -25,8 +26,9 @@ module wide_fetch #(
     input  wire [          LATCH_BITS-1:0] latch_rows_i,
     output wire [             PC_BITS-1:0] f1_pc_o,
     output wire                            f3_valid_o,
-    // IF3: a latch row: its bits; 0 if there is none
-    output wire [               SLOTS-1:0] l_bits_o,
+    // a latch row, for the bus of the next clock
+    output wire                            latch_valid_o,
+    output wire [               SLOTS-1:0] latch_bits_o,
     // IF3: what the load port does
     input  wire [`RUNG_WIDE_LAYOUT_ROW_BITS-1:0] l_host_row_i,
     input  wire                            l_bit_we_i,
@@ -47,6 +49,9 @@ module wide_fetch #(
   wire start = start_i && !busy_q;
 
   // ---- latch rows ------------------------------------------------------------------------------
+  reg start_1_q, start_2_q, x_start_q;
+  always @(posedge clk_i) {start_1_q, start_2_q, x_start_q} <= {start, start_1_q, start_2_q};
+
   reg [LATCH_ROWS*SLOTS-1:0] latch_q;
   reg [LATCH_BITS-1:0] latch_left_q;
   reg latch_valid_q;
@@ -55,19 +60,18 @@ module wide_fetch #(
     if (start) begin
       latch_q <= in_i;
       latch_left_q <= latch_rows_i;
-      latch_valid_q <= latch_rows_i != {LATCH_BITS{1'b0}};
       latch_row_q <= latch_row_i;
-    end else begin
+    end else if (latch_valid_q) begin
       latch_q <= latch_q >> SLOTS;
+      latch_left_q <= latch_left_q - 1'b1;
       latch_row_q <= latch_row_q + 1'b1;
-      if (latch_valid_q) begin
-        latch_left_q  <= latch_left_q - 1'b1;
-        latch_valid_q <= latch_left_q != {{LATCH_BITS - 1{1'b0}}, 1'b1};
-      end
     end
     if (!rst_ni) latch_valid_q <= 1'b0;
+    else if (start_1_q) latch_valid_q <= latch_left_q != {LATCH_BITS{1'b0}};
+    else if (latch_left_q == {{LATCH_BITS - 1{1'b0}}, 1'b1}) latch_valid_q <= 1'b0;
   end
-  assign l_bits_o = latch_q[SLOTS-1:0] & {SLOTS{latch_valid_q}};
+  assign latch_valid_o = latch_valid_q;
+  assign latch_bits_o  = latch_q[SLOTS-1:0];
 
   // ---- IF1 -------------------------------------------------------------------------------------
   reg [LATCH_BITS-1:0] wait_q;
@@ -140,11 +144,10 @@ module wide_fetch #(
   reg [ROW_BITS-1:0] d3_row_q;
   reg [ROW_BITS-1:0] x_row_q;
   reg [ROW_BITS-1:0] w_row_q;
-  reg start_1_q, start_2_q, x_start_q;
   always @(posedge clk_i) begin
-    d1_row_q <= (f3_step_row & {ROW_BITS{f3_valid_q}}) | (latch_row_q & {ROW_BITS{latch_valid_q}}) | l_host_row_i;
+    d1_row_q <= (f3_step_row & {ROW_BITS{f3_valid_q}}) | l_host_row_i;
     d1_valid_q <= f3_valid_q && rst_ni;
-    d1_bit_we_q <= (f3_valid_q || latch_valid_q || l_bit_we_i) && rst_ni;
+    d1_bit_we_q <= (f3_valid_q || l_bit_we_i) && rst_ni;
     d1_word_we_q <= (f3_valid_q || l_word_we_i) && rst_ni;
     {d2_row_q, d3_row_q, x_row_q, w_row_q} <= {d1_row_q, d2_row_q, d3_row_q, x_row_q};
     {d2_valid_q, d3_valid_q, x_valid_q, w_valid_q} <= {d1_valid_q, d2_valid_q, d3_valid_q, x_valid_q};
@@ -152,13 +155,16 @@ module wide_fetch #(
     {d2_word_we_q, d3_word_we_q, x_word_we_q, w_word_we_q} <= {
       d1_word_we_q, d2_word_we_q, d3_word_we_q, x_word_we_q
     };
-    {start_1_q, start_2_q, x_start_q} <= {start, start_1_q, start_2_q};
   end
   assign x_start_o   = x_start_q;
   assign w_valid_o   = w_valid_q;
   reg b_bit_we_q, b_word_we_q;
   reg [ROW_BITS-1:0] b_row_q;
-  always @(posedge clk_i) {b_bit_we_q, b_word_we_q, b_row_q} <= {w_bit_we_q, w_word_we_q, w_row_q};
+  always @(posedge clk_i) begin
+    b_bit_we_q <= w_bit_we_q || latch_valid_q;
+    b_word_we_q <= w_word_we_q;
+    b_row_q <= latch_valid_q ? latch_row_q : w_row_q;
+  end
   assign b_bit_we_o  = b_bit_we_q;
   assign b_word_we_o = b_word_we_q;
   assign b_addr_o    = b_row_q;

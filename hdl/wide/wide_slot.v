@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A slot of MPU4: its instruction memory, its bit slot and, in every second one, a word unit. Between scans the load
 // port puts instructions of its own in (l_): every slot rewrites its place of a row with what it holds, but
-// for the one whose value the host gives; between start and step 0 every slot writes what it got of the inputs.
+// for the one whose value the host gives.
 `default_nettype none
 `include "rung_wide.vh"
 

@@ -16,9 +16,9 @@ class Generator {
         units_(slots / 2),
         length_(length),
         state_(static_cast<std::size_t>(units_)) {
-    program_.latch_rows = below(9);
+    program_.latch_rows = below(13);
     // Close behind the steps or far away; only rows of bits may lie where rows of words do not.
-    program_.latch_row = length + below(std::min(64, kSpecial - length - 8));
+    program_.latch_row = length + below(std::min(64, kSpecial - length - 13));
     latch_times_ = std::max(program_.latch_rows, constant::scan_latch_free);
   }
 
@@ -100,7 +100,8 @@ class Generator {
     const Unit& unit = state_[static_cast<std::size_t>(slot / 2)];
     if (steps == 8 && unit.tested && now_ - unit.test >= constant::distance_flag) return flag();
     if (steps < 1 || steps > constant::near_bus_last || !bits_at(now_ - steps)) return zero();
-    return steps < constant::near_bus_first ? own(steps) : bus(steps, below(slots_));
+    if (steps < constant::near_bus_first) return now_ >= steps ? own(steps) : zero();
+    return bus(steps, below(slots_));
   }
   Place word_place() {
     if (one_in(2)) return {memory_row(true), below(units_)};

@@ -11,7 +11,7 @@ namespace rung::tb::wide {
 
 namespace {
 
-constexpr int kMoments = 8;  // as long as anything looks back, but for divisions
+constexpr int kMoments = 10;  // as long as anything looks back, but for divisions
 
 std::int32_t as_signed(std::uint16_t value) { return static_cast<std::int16_t>(value); }
 
@@ -94,7 +94,10 @@ bool StepModel::bit(const Place& place, int slot) const {
     return ago(constant::distance_flag).flags.at(static_cast<std::size_t>(slot / 2));
   }
   const Moment& then = ago(near);
-  if (!then.has_bits) throw std::logic_error("a near bit of a time without a row");
+  // A latch row is nobody's own: it comes by the bus.
+  if (near < constant::near_bus_first ? !then.has_words : !then.has_bits) {
+    throw std::logic_error("a near bit of a time without a row");
+  }
   return then.bits[static_cast<std::size_t>(near < constant::near_bus_first ? slot : place.lane)];
 }
 
@@ -120,7 +123,8 @@ std::uint16_t StepModel::keep(int row, int unit) const {
 void StepModel::step_word(const WordInstruction& instruction, int unit, unsigned operands,
                           Moment& now) {
   const auto u = static_cast<std::size_t>(unit);
-  const bool gate = instruction.always || ago(constant::distance_gate).bits.at(2 * u);
+  const bool gate = instruction.always || (ago(constant::distance_gate).has_words &&
+                                           ago(constant::distance_gate).bits.at(2 * u));
   std::uint16_t s1 = 0;
   std::uint16_t s2 = 0;
   switch (instruction.kind) {

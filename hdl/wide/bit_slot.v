@@ -11,22 +11,23 @@ module bit_slot #(
     parameter INSTRUCTION_BITS = 50,
     parameter ADDR_BITS = 10  // of the rows of bits
 ) (
-    input  wire                                                                           clk_i,
+    input  wire                        clk_i,
     // ID1: the table, above it the operands c, b, a, each lane and above it row
     input  wire [INSTRUCTION_BITS-1:0] d1_instruction_i,
     // ID3: the flag of the word unit beside this slot
-    input  wire                                                                           d3_flag_i,
+    input  wire                        d3_flag_i,
     // the row of all slots, a clock after `w`, and where it goes
-    input  wire [SLOTS-1:0] b_row_i,
-    input  wire b_we_i,
-    input  wire [ADDR_BITS-1:0] b_addr_i,
-    output wire                                                                           w_value_o,
+    input  wire [           SLOTS-1:0] b_row_i,
+    input  wire                        b_we_i,
+    input  wire [       ADDR_BITS-1:0] b_addr_i,
+    output wire                        w_value_o,
     // EX: the operands, a the highest
-    output wire [                                                   ARITY-1:0] x_operands_o
+    output wire [           ARITY-1:0] x_operands_o
 );
 
   localparam TABLE_BITS = 1 << ARITY;
-  localparam PLACE_BITS = SLOT_BITS + `RUNG_WIDE_LAYOUT_ROW_BITS;
+  localparam ROW_BITS = `RUNG_WIDE_LAYOUT_ROW_BITS;
+  localparam PLACE_BITS = SLOT_BITS + ROW_BITS;
 
   reg w_value_q, b_value_q;
   genvar i;
@@ -40,7 +41,7 @@ module bit_slot #(
       ) operand (
           .clk_i(clk_i),
           .d1_lane_i(d1_instruction_i[TABLE_BITS+i*PLACE_BITS+:SLOT_BITS]),
-          .d1_row_i(d1_instruction_i[TABLE_BITS+i*PLACE_BITS+SLOT_BITS+:`RUNG_WIDE_LAYOUT_ROW_BITS]),
+          .d1_row_i(d1_instruction_i[TABLE_BITS+i*PLACE_BITS+SLOT_BITS+:ROW_BITS]),
           .d1_other_i(1'b0),
           .d3_other_i(d3_flag_i),
           .w_own_i(w_value_q),

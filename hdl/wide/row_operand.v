@@ -13,22 +13,22 @@ module row_operand #(
     parameter LANE_BITS = 4,
     parameter ADDR_BITS = 10  // of the memory: rows it holds
 ) (
-    input  wire                           clk_i,
+    input wire clk_i,
     // ID1: the place
-    input  wire [          LANE_BITS-1:0] d1_lane_i,
-    input  wire [`RUNG_WIDE_LAYOUT_ROW_BITS-1:0] d1_row_i,
-    input  wire                           d1_other_i,  // takes d3_other_i, whatever the place says
+    input wire [LANE_BITS-1:0] d1_lane_i,
+    input wire [`RUNG_WIDE_LAYOUT_ROW_BITS-1:0] d1_row_i,
+    input wire d1_other_i,  // takes d3_other_i, whatever the place says
     // ID3
-    input  wire [              WIDTH-1:0] d3_other_i,
+    input wire [WIDTH-1:0] d3_other_i,
     // what this slot has computed, after EX and a clock later
-    input  wire [              WIDTH-1:0] w_own_i,
-    input  wire [              WIDTH-1:0] b_own_i,
+    input wire [WIDTH-1:0] w_own_i,
+    input wire [WIDTH-1:0] b_own_i,
     // what all have computed, and where the row goes
-    input  wire [        LANES*WIDTH-1:0] b_row_i,
-    input  wire                           b_we_i,
-    input  wire [          ADDR_BITS-1:0] b_addr_i,
+    input wire [LANES*WIDTH-1:0] b_row_i,
+    input wire b_we_i,
+    input wire [ADDR_BITS-1:0] b_addr_i,
     // EX
-    output wire [              WIDTH-1:0] x_value_o
+    output wire [WIDTH-1:0] x_value_o
 );
 
   localparam ROW_BITS = `RUNG_WIDE_LAYOUT_ROW_BITS;

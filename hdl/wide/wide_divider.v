@@ -49,7 +49,9 @@ module wide_divider (
   always @* begin
     first_digit = 2'd0;
     first_rest  = first;
-    case ({above_3, divisor_q[1:0]})
+    case ({
+      above_3, divisor_q[1:0]
+    })
       3'd1: {first_digit, first_rest} = {first, 2'd0};
       3'd2: {first_digit, first_rest} = {1'b0, first[1], 1'b0, first[0]};
       3'd3: if (first == 2'd3) {first_digit, first_rest} = {2'd1, 2'd0};

@@ -13,31 +13,31 @@ module wide_fetch #(
     parameter LATCH_ROWS = 8,  // at most
     parameter LATCH_BITS = 4  // of a number of latch rows
 ) (
-    input  wire                            clk_i,
-    input  wire                            rst_ni,
-    input  wire                            start_i,
-    input  wire [    LATCH_ROWS*SLOTS-1:0] in_i,
-    output wire                            busy_o,
-    output wire                            done_o,
-    output wire [                    31:0] clocks_o,
+    input  wire                                  clk_i,
+    input  wire                                  rst_ni,
+    input  wire                                  start_i,
+    input  wire [          LATCH_ROWS*SLOTS-1:0] in_i,
+    output wire                                  busy_o,
+    output wire                                  done_o,
+    output wire [                          31:0] clocks_o,
     // the program's: steps, first latch row, number of latch rows
-    input  wire [               PC_BITS:0] length_i,
+    input  wire [                     PC_BITS:0] length_i,
     input  wire [`RUNG_WIDE_LAYOUT_ROW_BITS-1:0] latch_row_i,
-    input  wire [          LATCH_BITS-1:0] latch_rows_i,
-    output wire [             PC_BITS-1:0] f1_pc_o,
-    output wire                            f3_valid_o,
+    input  wire [                LATCH_BITS-1:0] latch_rows_i,
+    output wire [                   PC_BITS-1:0] f1_pc_o,
+    output wire                                  f3_valid_o,
     // a latch row, for the bus of the next clock
-    output wire                            latch_valid_o,
-    output wire [               SLOTS-1:0] latch_bits_o,
+    output wire                                  latch_valid_o,
+    output wire [                     SLOTS-1:0] latch_bits_o,
     // IF3: what the load port does
     input  wire [`RUNG_WIDE_LAYOUT_ROW_BITS-1:0] l_host_row_i,
-    input  wire                            l_bit_we_i,
-    input  wire                            l_word_we_i,
+    input  wire                                  l_bit_we_i,
+    input  wire                                  l_word_we_i,
     // EX, after EX, and a clock later
-    output wire                            x_start_o,
-    output wire                            w_valid_o,
-    output wire                            b_bit_we_o,
-    output wire                            b_word_we_o,
+    output wire                                  x_start_o,
+    output wire                                  w_valid_o,
+    output wire                                  b_bit_we_o,
+    output wire                                  b_word_we_o,
     output wire [`RUNG_WIDE_LAYOUT_ROW_BITS-1:0] w_addr_o,
     output wire [`RUNG_WIDE_LAYOUT_ROW_BITS-1:0] b_addr_o
 );
@@ -45,7 +45,7 @@ module wide_fetch #(
   localparam ROW_BITS = `RUNG_WIDE_LAYOUT_ROW_BITS;
   localparam [LATCH_BITS-1:0] LATCH_FREE = `RUNG_WIDE_SCAN_LATCH_FREE;
 
-  reg busy_q;
+  reg  busy_q;
   wire start = start_i && !busy_q;
 
   // ---- latch rows ------------------------------------------------------------------------------
@@ -150,14 +150,18 @@ module wide_fetch #(
     d1_bit_we_q <= (f3_valid_q || l_bit_we_i) && rst_ni;
     d1_word_we_q <= (f3_valid_q || l_word_we_i) && rst_ni;
     {d2_row_q, d3_row_q, x_row_q, w_row_q} <= {d1_row_q, d2_row_q, d3_row_q, x_row_q};
-    {d2_valid_q, d3_valid_q, x_valid_q, w_valid_q} <= {d1_valid_q, d2_valid_q, d3_valid_q, x_valid_q};
-    {d2_bit_we_q, d3_bit_we_q, x_bit_we_q, w_bit_we_q} <= {d1_bit_we_q, d2_bit_we_q, d3_bit_we_q, x_bit_we_q};
+    {d2_valid_q, d3_valid_q, x_valid_q, w_valid_q} <= {
+      d1_valid_q, d2_valid_q, d3_valid_q, x_valid_q
+    };
+    {d2_bit_we_q, d3_bit_we_q, x_bit_we_q, w_bit_we_q} <= {
+      d1_bit_we_q, d2_bit_we_q, d3_bit_we_q, x_bit_we_q
+    };
     {d2_word_we_q, d3_word_we_q, x_word_we_q, w_word_we_q} <= {
       d1_word_we_q, d2_word_we_q, d3_word_we_q, x_word_we_q
     };
   end
-  assign x_start_o   = x_start_q;
-  assign w_valid_o   = w_valid_q;
+  assign x_start_o = x_start_q;
+  assign w_valid_o = w_valid_q;
   reg b_bit_we_q, b_word_we_q;
   reg [ROW_BITS-1:0] b_row_q;
   always @(posedge clk_i) begin

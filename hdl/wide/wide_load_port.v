@@ -21,36 +21,36 @@ module wide_load_port #(
     parameter LAST_EVEN = 6,  // highest chunk of an instruction with a word unit's part
     parameter LAST_ODD = 3  // and of one without
 ) (
-    input  wire                                   clk_i,
-    input  wire                                   rst_ni,
-    input  wire                                   load_valid_i,
-    input  wire                                   load_write_i,
-    input  wire [                            2:0] load_space_i,
-    input  wire [                           19:0] load_addr_i,
-    input  wire [                           15:0] load_data_i,
-    output wire                                   load_rvalid_o,
-    output wire [                           15:0] load_rdata_o,
+    input wire clk_i,
+    input wire rst_ni,
+    input wire load_valid_i,
+    input wire load_write_i,
+    input wire [2:0] load_space_i,
+    input wire [19:0] load_addr_i,
+    input wire [15:0] load_data_i,
+    output wire load_rvalid_o,
+    output wire [15:0] load_rdata_o,
     // the program's
-    output wire [                      PC_BITS:0] length_o,
-    output wire [        `RUNG_WIDE_LAYOUT_ROW_BITS-1:0] latch_row_o,
-    output wire [                 LATCH_BITS-1:0] latch_rows_o,
+    output wire [PC_BITS:0] length_o,
+    output wire [`RUNG_WIDE_LAYOUT_ROW_BITS-1:0] latch_row_o,
+    output wire [LATCH_BITS-1:0] latch_rows_o,
     // instruction memories
-    output wire [                      SLOTS-1:0] m_write_o,
-    output wire [                    PC_BITS-1:0] m_addr_o,
-    output wire [           INSTRUCTION_BITS-1:0] m_data_o,
+    output wire [SLOTS-1:0] m_write_o,
+    output wire [PC_BITS-1:0] m_addr_o,
+    output wire [INSTRUCTION_BITS-1:0] m_data_o,
     // IF3; all 0 if there is no access
-    output wire                                   l_access_o,
-    output wire [        `RUNG_WIDE_LAYOUT_ROW_BITS-1:0] l_row_o,
-    output wire [        `RUNG_WIDE_LAYOUT_ROW_BITS-1:0] l_from_o,  // where the slots read it
-    output wire [                      SLOTS-1:0] l_set_bit_o,
-    output wire                                   l_bit_o,
-    output wire [                    SLOTS/2-1:0] l_set_word_o,
-    output wire [                           15:0] l_data_o,
-    output wire                                   l_bit_we_o,
-    output wire                                   l_word_we_o,
+    output wire l_access_o,
+    output wire [`RUNG_WIDE_LAYOUT_ROW_BITS-1:0] l_row_o,
+    output wire [`RUNG_WIDE_LAYOUT_ROW_BITS-1:0] l_from_o,  // where the slots read it
+    output wire [SLOTS-1:0] l_set_bit_o,
+    output wire l_bit_o,
+    output wire [SLOTS/2-1:0] l_set_word_o,
+    output wire [15:0] l_data_o,
+    output wire l_bit_we_o,
+    output wire l_word_we_o,
     // a clock after `w`
-    input  wire [                      SLOTS-1:0] b_bits_i,
-    input  wire [(SLOTS/2)*`RUNG_WIDE_LAYOUT_WORD_BITS-1:0] b_words_i
+    input wire [SLOTS-1:0] b_bits_i,
+    input wire [(SLOTS/2)*`RUNG_WIDE_LAYOUT_WORD_BITS-1:0] b_words_i
 );
 
   localparam ROW_BITS = `RUNG_WIDE_LAYOUT_ROW_BITS;
@@ -67,7 +67,7 @@ module wide_load_port #(
 
   // ---- the access, registered ------------------------------------------------------------------
   reg access_q, write_q;
-  reg [2:0] space_q;
+  reg [ 2:0] space_q;
   reg [19:0] addr_q;
   reg [15:0] data_q;
   always @(posedge clk_i) begin
@@ -107,7 +107,8 @@ module wide_load_port #(
   always @(posedge clk_i) begin
     for (i = 0; i < CHUNKS; i = i + 1) if (chunk == i[2:0]) m_data_q[16*i+:16] <= data_q;
     for (i = 0; i < SLOTS; i = i + 1) begin
-      m_write_q[i] <= access_q && write_q && space_q == INSTRUCTIONS && last && slot == i[SLOT_BITS-1:0];
+      m_write_q[i] <= access_q && write_q && space_q == INSTRUCTIONS && last &&
+          slot == i[SLOT_BITS-1:0];
     end
     m_addr_q <= addr_q[3+SLOT_BITS+:PC_BITS];
   end
@@ -207,7 +208,8 @@ module wide_load_port #(
   reg [15:0] rdata_q;
   always @(posedge clk_i) begin
     rvalid_q <= read_q[STAGES-1] && rst_ni;
-    rdata_q  <= words_q[STAGES-1] ? b_words_i[b_lane[UNIT_BITS-1:0]*16+:16] : {15'd0, b_bits_i[b_lane]};
+    rdata_q  <= words_q[STAGES-1] ? b_words_i[b_lane[UNIT_BITS-1:0]*16+:16] :
+        {15'd0, b_bits_i[b_lane]};
   end
   assign load_rvalid_o = rvalid_q;
   assign load_rdata_o  = rdata_q;

@@ -21,36 +21,36 @@ module wide_slot #(
     parameter WORD_PART = 47,
     parameter INSTRUCTION_BITS = 97
 ) (
-    input  wire                                     clk_i,
-    input  wire                                     rst_ni,
+    input  wire                                             clk_i,
+    input  wire                                             rst_ni,
     // instruction memory
-    input  wire                                     m_write_i,
-    input  wire [                      PC_BITS-1:0] m_addr_i,
-    input  wire [             INSTRUCTION_BITS-1:0] m_data_i,
-    input  wire [                      PC_BITS-1:0] f1_pc_i,
-    input  wire                                     f3_valid_i,
+    input  wire                                             m_write_i,
+    input  wire [                              PC_BITS-1:0] m_addr_i,
+    input  wire [                     INSTRUCTION_BITS-1:0] m_data_i,
+    input  wire [                              PC_BITS-1:0] f1_pc_i,
+    input  wire                                             f3_valid_i,
     // IF3, while no instruction is there (else 0): the row of operand a and of `keep`; with l_lane_i a has
     // this slot's lane; the table's halves for a; with l_set_i a constant for the word unit
-    input  wire [          `RUNG_WIDE_LAYOUT_ROW_BITS-1:0] l_row_i,
-    input  wire                                     l_lane_i,
-    input  wire                                     l_high_i,
-    input  wire                                     l_low_i,
-    input  wire                                     l_set_i,
-    input  wire [              `RUNG_WIDE_LAYOUT_WORD_BITS-1:0] l_data_i,
+    input  wire [           `RUNG_WIDE_LAYOUT_ROW_BITS-1:0] l_row_i,
+    input  wire                                             l_lane_i,
+    input  wire                                             l_high_i,
+    input  wire                                             l_low_i,
+    input  wire                                             l_set_i,
+    input  wire [          `RUNG_WIDE_LAYOUT_WORD_BITS-1:0] l_data_i,
     // EX: a scan has started and its first step is not here yet
-    input  wire                                     x_start_i,
+    input  wire                                             x_start_i,
     // ID3: the flag of the unit beside this slot; after EX: the unit's own
-    input  wire                                     d3_flag_i,
-    output wire                                     w_flag_o,
-    output wire                                     w_div_by_0_o,
+    input  wire                                             d3_flag_i,
+    output wire                                             w_flag_o,
+    output wire                                             w_div_by_0_o,
     // the row of all, a clock after `w`, and where it goes
-    input  wire [                        SLOTS-1:0] b_bits_i,
+    input  wire [                                SLOTS-1:0] b_bits_i,
     input  wire [(SLOTS/2)*`RUNG_WIDE_LAYOUT_WORD_BITS-1:0] b_words_i,
-    input  wire                                     b_bit_we_i,
-    input  wire                                     b_word_we_i,
-    input  wire [          `RUNG_WIDE_LAYOUT_ROW_BITS-1:0] b_addr_i,
-    output wire                                     w_bit_o,
-    output wire [              `RUNG_WIDE_LAYOUT_WORD_BITS-1:0] w_word_o
+    input  wire                                             b_bit_we_i,
+    input  wire                                             b_word_we_i,
+    input  wire [           `RUNG_WIDE_LAYOUT_ROW_BITS-1:0] b_addr_i,
+    output wire                                             w_bit_o,
+    output wire [          `RUNG_WIDE_LAYOUT_WORD_BITS-1:0] w_word_o
 );
 
   localparam ROW_BITS = `RUNG_WIDE_LAYOUT_ROW_BITS;
@@ -149,7 +149,8 @@ module wide_slot #(
       assign w_word_o = {`RUNG_WIDE_LAYOUT_WORD_BITS{1'b0}};
       assign w_flag_o = 1'b0;
       assign w_div_by_0_o = 1'b0;
-      wire unused_unit = &{1'b0, rst_ni, x_start_i, x_operands, b_words_i, b_word_we_i, l_set_i, l_data_i};
+      wire unused_unit = &{1'b0, rst_ni, x_start_i, x_operands, b_words_i, b_word_we_i};
+      wire unused_access = &{1'b0, l_set_i, l_data_i};
     end
   endgenerate
 

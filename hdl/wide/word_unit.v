@@ -14,22 +14,22 @@ module word_unit #(
     parameter DIVIDER = 1,  // 1: has DIV
     parameter WIDE = 1  // 1: has MULD and DIVD
 ) (
-    input  wire                               clk_i,
-    input  wire                               rst_ni,
+    input  wire                                         clk_i,
+    input  wire                                         rst_ni,
     // IF3: the instruction: source, s1, keep, kind, always, op
-    input  wire [       INSTRUCTION_BITS-1:0] f3_instruction_i,
+    input  wire [                 INSTRUCTION_BITS-1:0] f3_instruction_i,
     // EX: a scan has started and its first step is not here yet
-    input  wire                               x_start_i,
+    input  wire                                         x_start_i,
     // EX: slot 2u: its operands, and its result of the step before
-    input  wire [                  ARITY-1:0] x_operands_i,
-    input  wire                               x_gate_i,
+    input  wire [                            ARITY-1:0] x_operands_i,
+    input  wire                                         x_gate_i,
     // the row of all units, a clock after `w`, and where it goes
     input  wire [UNITS*`RUNG_WIDE_LAYOUT_WORD_BITS-1:0] b_row_i,
-    input  wire b_we_i,
-    input  wire [ADDR_BITS-1:0] b_addr_i,
-    output wire [        `RUNG_WIDE_LAYOUT_WORD_BITS-1:0] w_value_o,
-    output wire                               w_flag_o,
-    output wire                               w_div_by_0_o
+    input  wire                                         b_we_i,
+    input  wire [                        ADDR_BITS-1:0] b_addr_i,
+    output wire [      `RUNG_WIDE_LAYOUT_WORD_BITS-1:0] w_value_o,
+    output wire                                         w_flag_o,
+    output wire                                         w_div_by_0_o
 );
 
   localparam BITS = `RUNG_WIDE_LAYOUT_WORD_BITS;
@@ -94,8 +94,9 @@ module word_unit #(
     d2_result = 1'b1;
     d2_test   = 1'b0;
     case (d2_op_q)
-      `RUNG_WIDE_OP_MV, `RUNG_WIDE_OP_MULL, `RUNG_WIDE_OP_MULH, `RUNG_WIDE_OP_QUO, `RUNG_WIDE_OP_REM,
-      `RUNG_WIDE_OP_MW0, `RUNG_WIDE_OP_MW1, `RUNG_WIDE_OP_MW2, `RUNG_WIDE_OP_MW3: ;
+      `RUNG_WIDE_OP_MV, `RUNG_WIDE_OP_MULL, `RUNG_WIDE_OP_MULH, `RUNG_WIDE_OP_QUO,
+      `RUNG_WIDE_OP_REM, `RUNG_WIDE_OP_MW0, `RUNG_WIDE_OP_MW1, `RUNG_WIDE_OP_MW2, `RUNG_WIDE_OP_MW3:
+      ;
       `RUNG_WIDE_OP_ADD: d2_alu_op = `RUNG_OP_ADD;
       `RUNG_WIDE_OP_SUB: d2_alu_op = `RUNG_OP_SUB;
       `RUNG_WIDE_OP_ADC: d2_alu_op = `RUNG_OP_ADC;
@@ -256,8 +257,8 @@ module word_unit #(
   wire unused_alu = &{1'b0, x_sum, x_bank};
 
   wire x_gate = x_always_q || x_gate_i;
-  reg w_flag_q;
-  reg w_div_by_0_q;
+  reg  w_flag_q;
+  reg  w_div_by_0_q;
   always @(posedge clk_i) begin
     w_value_q <= x_result_q && x_gate ? x_result : x_keep;
     b_value_q <= w_value_q;

@@ -23,7 +23,7 @@ module mpu4 #(
     input  wire [INPUTS-1:0] in_i,
     output wire                        done_o,
     output wire                        busy_o,
-    output wire                        error_o,         // a division by 0 in this scan or the last one
+    output wire                        error_o,  // a division by 0, until the next scan
     output wire [                31:0] clocks_o,
     // load port
     input  wire                        load_valid_i,
@@ -51,7 +51,8 @@ module mpu4 #(
   localparam LATCH_ROWS = INPUTS / SLOTS;
   localparam LATCH_BITS = 7;
   localparam BIT_PART = (1 << ARITY) + ARITY * (SLOT_BITS + ROW_BITS);
-  localparam WORD_PART = WORD_BITS + UNIT_BITS + 2 * ROW_BITS + `RUNG_WIDE_LAYOUT_KIND_BITS + 1 + `RUNG_WIDE_LAYOUT_OP_BITS;
+  localparam WORD_PART = WORD_BITS + UNIT_BITS + 2 * ROW_BITS +
+      `RUNG_WIDE_LAYOUT_KIND_BITS + 1 + `RUNG_WIDE_LAYOUT_OP_BITS;
   localparam INSTRUCTION_BITS = BIT_PART + WORD_PART;
 
   wire [PC_BITS:0] length;

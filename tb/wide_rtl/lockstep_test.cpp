@@ -131,6 +131,8 @@ void run(const std::string& text, Dialect dialect, int slots, bool merge, std::u
   std::ostringstream said;
   diagnostics.print(said);
   ASSERT_TRUE(compiled) << said.str();
+  testing::Test::RecordProperty("clocks", static_cast<int>(compiled->image.clocks));
+  testing::Test::RecordProperty("latch_rows", compiled->image.wide->latch_rows);
   Lockstep lockstep(*program, compiled->image, static_cast<int>(seed));
   RandomSource random(seed ^ 0x72746c);
   for (int scan = 0; scan < kScans; ++scan) {

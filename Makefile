@@ -105,6 +105,10 @@ pnr: ## place and route: area and clock, into reports/ if all of them run; MPU= 
 	@$(VENV)/python scripts/pnr.py $(FLOW) --seeds $(SEEDS) --jobs $(JOBS)
 	@if [ -e reports/area-timing.json ]; then $(PYTHON) scripts/report_area.py; fi
 
+pnr-wide: ## place and route MPU4 with 8 and 16 slots, into reports/wide-timing.json; hours; SEEDS=
+	@scripts/setup.sh flow
+	@$(VENV)/python scripts/pnr_wide.py --seeds $(SEEDS)
+
 .PHONY: bit
 bit: ## bitstreams of the controller: build/bit; BOARD=ulx3s, hx8k or tangnano20k, without it all
 	@scripts/setup.sh flow
@@ -129,6 +133,13 @@ bench: build ## scan times of the samples beside soft cores and this machine, in
 	@$(VENV)/python scripts/yardsticks.py --jobs $(JOBS)
 	@$(VENV)/python scripts/report_area.py
 	@$(PYTHON) scripts/headline.py
+
+.PHONY: explore
+explore: build ## steps of other wide processors than there are: reports/explore.md
+	$(call cmake_build,build/release,$(RELEASE),--target rung-explore)
+	@build/bin/rung-explore $$(date +%F) >build/explore.md
+	@mv build/explore.md reports/explore.md
+	@echo 'wrote reports/explore.md'
 
 .PHONY: steps
 steps: build ## the paper's tables reproduced: reports/steps.md

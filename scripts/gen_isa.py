@@ -14,6 +14,7 @@ from pathlib import Path
 import gen_controller
 import gen_firmware
 import gen_flow
+import gen_wide
 
 ISA_DIR = Path(__file__).resolve().parent.parent / "hdl" / "isa"
 PROCESSORS = ("mpu1", "mpu2", "mpu3")
@@ -261,6 +262,9 @@ def main(argv):
         write(out / "rung_controller.h", gen_controller.c_header(tables, NOTICE, gen_flow.numbers(flow)))
         write(out / "rung_flow.vh", gen_flow.verilog(flow, NOTICE))
         write(out / "rung_flow.hpp", gen_flow.cpp(flow, NOTICE))
+        wide = gen_wide.load(ISA_DIR)
+        write(out / "rung_wide.vh", gen_wide.verilog(wide, NOTICE))
+        write(out / "wide_table.inc", gen_wide.cpp(wide, NOTICE))
         gen_firmware.write_rom(out, tables, NOTICE)
     else:
         print(__doc__, file=sys.stderr)

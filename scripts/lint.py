@@ -19,7 +19,7 @@ from pathlib import Path
 
 from flow import pins as board_pins
 from flow import tools
-from flow.designs import BOARDS, MPUS, PLC_BOARDS, plc_design, rung_design
+from flow.designs import BOARDS, MPUS, PLC_BOARDS, WIDE, plc_design, rung_design, wide_design
 
 ROOT = tools.ROOT
 VERILATOR = os.environ.get("VERILATOR", "verilator")
@@ -43,6 +43,10 @@ def verilator() -> list[str]:
             runs.append((board.name, list(rung_design(mpu, board).sources), [f"-GMPU={mpu}"]))
     for board in PLC_BOARDS.values():
         runs.append((board.name, [*plc_design(board).sources, ROOT / "tb" / "boards" / "USRMCLK.v"], []))
+    for slots in WIDE:
+        design = wide_design(slots)
+        runs.append((design.top, list(design.sources), [f"-G{name}={value}" for name, value in design.parameters]))
+        runs.append(("mpu4", list(design.sources[:-3]), ["-DRUNG_RETIRE", *runs[-1][2]]))
     flow = ROOT / "hdl" / "flow"
     uart = [ROOT / "hdl" / "controller" / "host_uart.v", *sorted((ROOT / "hdl" / "peripherals").glob("uart_*x.v"))]
     ram = ROOT / "hdl" / "core" / "bank_ram.v"

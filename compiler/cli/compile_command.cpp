@@ -48,6 +48,23 @@ nlohmann::ordered_json to_json(const prove::Proof& proof) {
           {"seconds", proof.seconds}};
 }
 
+nlohmann::ordered_json to_json(const image::WideImage& wide) {
+  const image::WideReport& r = wide.report;
+  return {{"slots", wide.slots},
+          {"merged", wide.merged},
+          {"latch_rows", wide.latch_rows},
+          {"bit_instructions", r.look_ups},
+          {"word_instructions", r.words},
+          {"divisions", r.divisions},
+          {"captures", r.captures},
+          {"near_values", r.near_values},
+          {"by_look_ups", r.by_look_ups},
+          {"by_words", r.by_words},
+          {"by_dividers", r.by_dividers},
+          {"by_dependence", r.by_dependence},
+          {"binding", r.binding}};
+}
+
 std::string to_json(const Compiled& compiled, const std::optional<Bound>& bound,
                     const std::optional<prove::Proof>& proof, const Options& options) {
   const image::Image& image = compiled.image;
@@ -64,11 +81,12 @@ std::string to_json(const Compiled& compiled, const std::optional<Bound>& bound,
   out["runs"] = s.runs;
   if (image.dialect == dialect_name(Dialect::Ldmicro)) out["runs"] = nullptr;
   out["lookups"] = s.lookups;
-  out["steps"] = image.steps.size();
+  out["steps"] = image.length();
   out["clocks"] = image.clocks;
   out["lut_rows"] = s.lut_rows;
   out["bit_devices"] = s.bit_devices;
   out["word_devices"] = s.word_devices;
+  if (image.wide) out["wide"] = to_json(*image.wide);
   if (compiled.schedule) {
     const schedule::Report& r = *compiled.schedule;
     out["schedule"] = {{"slots", r.slots},
@@ -107,11 +125,25 @@ std::string flow_summary(const image::Image& image, const std::optional<Bound>& 
       load::to_string(flow_bound_of(image, bound), *image.flow, clock_of(options, image)));
 }
 
+// "92 steps of 8 slots and 4 word units; 660 of 736 bit and 357 of 368 word places used; at least 90
+// steps (word units)"
+std::string to_string(const image::WideImage& wide) {
+  const image::WideReport& r = wide.report;
+  const auto steps = static_cast<int>(wide.code.size());
+  return fmt::format(
+      "{} steps of {} slots and {} word units; {} of {} bit and {} of {} word places used, {} "
+      "operands from other lanes; at least {} steps ({})\n",
+      steps, wide.slots, wide.slots / 2, r.look_ups, steps * wide.slots, r.words,
+      steps * wide.slots / 2, r.captures,
+      std::max({r.by_look_ups, r.by_words, r.by_dividers, r.by_dependence}), r.binding);
+}
+
 std::string summary(const Compiled& compiled) {
   const image::Image& image = compiled.image;
   std::string text = fmt::format("{}: {} instructions in {} rungs; MPU{}: {} clocks a scan, ",
                                  image.program, image.statistics.instructions,
                                  image.statistics.rungs, static_cast<int>(image.mpu), image.clocks);
+  if (image.wide) return text + to_string(*image.wide);
   return text +
          (compiled.schedule ? schedule::to_string(*compiled.schedule)
                             : fmt::format("{} steps", image.steps.size())) +
@@ -138,6 +170,12 @@ int compile_command(const Options& given) {
   }
   const auto compiled = compile_input(*input, options, diagnostics);
   if (!compiled) return report(diagnostics);
+  if (compiled->image.wide && (map || options.bindings || !options.load_file.empty())) {
+    throw UsageError("an I/O map is for a controller, which MPU4 does not have yet");
+  }
+  if (compiled->image.wide && options.prove) {
+    throw UsageError("--prove is for MPU1, MPU2 and MPU3: MPU4's images are checked by verify() only");
+  }
   std::optional<prove::Proof> proof;
   if (options.prove) {
     proof = prove::prove(compiled->image, compiled->meanings);

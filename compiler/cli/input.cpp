@@ -145,6 +145,12 @@ std::optional<Compiled> compile_input(const Input& input, const Options& options
   how.paper = options.paper;
   how.config = &config_of(options);
   how.search.seed = options.seed;
+  how.slots = options.slots;
+  how.merge = !options.no_merge;
+  if (how.mpu == isa::Mpu::Mpu4) {
+    if (options.paper) throw UsageError("--paper is for MPU1 to MPU3");
+    if (input.flow) throw UsageError("flow tasks are for MPU1 to MPU3");
+  }
   return input.flow ? compile_flow(*input.flow, how, diagnostics)
                     : compile(*input.program, how, diagnostics);
 }

@@ -46,6 +46,8 @@ struct Options {
   bool paper = false;
   // compile
   std::string output;
+  int slots = 8;  // of MPU4
+  bool no_merge = false;
   bool json = false;
   bool listing = false;
   std::string dump;
@@ -102,7 +104,7 @@ struct UsageError : std::runtime_error {
 // The dialect asked for, --paper included; nothing if the program decides.
 std::optional<Dialect> dialect_of(const Options& options);
 const isa::Config& config_of(const Options& options);
-// 1 to 3, 0 for the reference; nothing if --mpu was not given.
+// 1 to 4, 0 for the reference; nothing if --mpu was not given.
 std::optional<int> mpu_of(const Options& options);
 // Microseconds of --tick, if it was given.
 std::optional<std::int64_t> tick_of(const Options& options);

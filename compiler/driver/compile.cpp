@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "driver/compile_wide.hpp"
 #include "driver/passes.hpp"
 #include "driver/peripherals.hpp"
 #include "image/frame.hpp"
@@ -53,6 +54,7 @@ Compiled compile_slots(const Lowered& lowered, const CompileOptions& options) {
 
 std::optional<Compiled> compile(const Program& program, const CompileOptions& options,
                                 Diagnostics& diagnostics) {
+  if (options.mpu == Mpu::Mpu4) return compile_wide(program, options, diagnostics);
   const int errors = diagnostics.error_count();
   check_peripherals(program, *options.config, diagnostics);
   const Lowered lowered = passes::lower(program, options);

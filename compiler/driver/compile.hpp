@@ -17,6 +17,9 @@ struct CompileOptions {
   schedule::SearchOptions search;
   // Also try MUL and DIV that wait for their result, and take what gives fewer clocks.
   bool waiting_muldiv = true;
+  // MPU4: its slots; compute what is equal once, and nothing that nobody can see (MERGING.md).
+  int slots = 8;
+  bool merge = true;
 };
 
 struct Compiled {

@@ -130,6 +130,15 @@ Image start_image(const Program& source, const core::Program& program, const Add
   for (const core::ConstantWord& word : program.constants) {
     image.constants.push_back({addresses.of(word.device), word.value});
   }
+  describe_source(source, image);
+  image.statistics.bit_devices = addresses.bits() + addresses.port_bits();
+  image.statistics.word_devices = addresses.words() + addresses.port_words();
+  image.port_bits = addresses.port_bits();
+  image.port_words = addresses.port_words();
+  return image;
+}
+
+void describe_source(const Program& source, Image& image) {
   for (const Instruction& instruction : source.instructions) {
     image.source.push_back({instruction.position, instruction.text});
   }
@@ -138,12 +147,7 @@ Image start_image(const Program& source, const core::Program& program, const Add
   image.statistics.instructions = counts.instructions;
   image.statistics.contacts = counts.contacts;
   image.statistics.runs = static_cast<int>(counts.run_lengths.size());
-  image.statistics.bit_devices = addresses.bits() + addresses.port_bits();
-  image.statistics.word_devices = addresses.words() + addresses.port_words();
-  image.port_bits = addresses.port_bits();
-  image.port_words = addresses.port_words();
   if (source.ldmicro) set_peripherals(source, image);
-  return image;
 }
 
 Meaning meaning(const Program& source, const core::Program& program, std::map<Device, int> places) {

@@ -82,6 +82,9 @@ Image start_image(const Program& source, const core::Program& program, const Add
 // What a routine is to do, for a check of the image; where it stands is the caller's to say.
 Meaning meaning(const Program& source, const core::Program& program, std::map<Device, int> places);
 
+// The source's lines, counts and what it asks of the controller around it.
+void describe_source(const Program& source, Image& image);
+
 // Fields of a word operation from its two sources; one of them is a device, but for MV, which has
 // only the second.
 void set_sources(isa::SlotInstruction& out, const core::WordSource& first,

@@ -11,6 +11,7 @@
 
 #include "core/program.hpp"
 #include "image/flow.hpp"
+#include "image/wide.hpp"
 #include "isa/isa.hpp"
 #include "mapping/mapping.hpp"
 #include "rungs/program.hpp"
@@ -88,9 +89,12 @@ struct Image {
   Statistics statistics;
   // Of a program with flow tasks: `clocks` are then its ladder's, all else is of the whole.
   std::optional<FlowImage> flow;
+  // Of MPU4, in place of steps, origins, quiet and lut.
+  std::optional<WideImage> wide;
 
   // Steps of one scan: what `length` of the load port says.
   std::size_t length() const {
+    if (wide) return wide->code.size();
     return flow ? static_cast<std::size_t>(flow->ladder_steps) : steps.size();
   }
 };

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "image/flow_file.hpp"
+#include "image/wide_file.hpp"
 
 namespace rung::image {
 namespace {
@@ -82,6 +83,7 @@ json to_json(const Image& image) {
   out["statistics"] = {s.rungs,   s.instructions, s.contacts,    s.runs,
                        s.lookups, s.lut_rows,     s.bit_devices, s.word_devices};
   if (image.flow) out["flow"] = flow_to_json(*image.flow);
+  if (image.wide) out["wide"] = wide_to_json(*image.wide);
   return out;
 }
 
@@ -90,6 +92,8 @@ using file::require;
 
 // Everything that the processor and the tools index by is checked here, once.
 void check(const Image& image, const isa::Config& config) {
+  require((image.mpu == isa::Mpu::Mpu4) == image.wide.has_value(), "processor");
+  if (image.wide) return check_wide(image);
   require(static_cast<int>(image.steps.size()) <= config.steps(image.mpu), "number of steps");
   require(image.lut.size() <= isa::constant::lut_rows, "number of LUT rows");
   require(image.origins.size() == image.steps.size(), "origins");
@@ -143,7 +147,7 @@ Image from_json(const json& in) {
   image.dialect = in.at("dialect").get<std::string>();
   require(find_dialect(image.dialect).has_value(), "dialect");
   const int mpu = in.at("mpu").get<int>();
-  require(mpu >= 1 && mpu <= 3, "processor");
+  require(mpu >= 1 && mpu <= 4, "processor");
   image.mpu = static_cast<isa::Mpu>(mpu);
   image.paper = in.at("paper").get<bool>();
   image.config = in.at("config").get<std::string>();
@@ -195,9 +199,15 @@ Image from_json(const json& in) {
                       s.at(3).get<int>(), s.at(4).get<int>(), s.at(5).get<int>(),
                       s.at(6).get<int>(), s.at(7).get<int>()};
   if (in.contains("flow")) image.flow = flow_from_json(in.at("flow"));
+  if (in.contains("wide")) image.wide = wide_from_json(in.at("wide"));
   check(image, *config);
   if (image.flow) check_flow(image, *config);
   return image;
+}
+
+std::uint8_t version_of(const Image& image) {
+  if (image.wide) return kWideVersion;
+  return image.flow ? kFlowVersion : kPlainVersion;
 }
 
 }  // namespace
@@ -208,7 +218,7 @@ std::string to_bytes(const Image& image) {
   const std::vector<std::uint8_t> cbor = json::to_cbor(to_json(image));
   const std::string payload(cbor.begin(), cbor.end());
   std::string bytes(kMagic);
-  bytes += static_cast<char>(image.flow ? kFlowVersion : kPlainVersion);
+  bytes += static_cast<char>(version_of(image));
   bytes += little_endian(static_cast<std::uint32_t>(payload.size()));
   bytes += little_endian(checksum(payload));
   return bytes + payload;
@@ -223,10 +233,10 @@ std::optional<Image> from_bytes(std::string_view bytes, const std::string& file,
   if (!is_image(bytes)) return refuse("this is not an image");
   if (bytes.size() < kHeader) return refuse("the image is cut short: its header is not whole");
   const auto version = static_cast<std::uint8_t>(bytes[kMagic.size()]);
-  if (version != kFlowVersion && version != kPlainVersion) {
+  if (version < kPlainVersion || version > kWideVersion) {
     return refuse(
-        fmt::format("the image has format version {}; this program reads versions {} and {}",
-                    version, kPlainVersion, kFlowVersion));
+        fmt::format("the image has format version {}; this program reads versions {} to {}",
+                    version, kPlainVersion, kWideVersion));
   }
   const std::uint32_t length = little_endian(bytes.substr(kMagic.size() + 1, 4));
   const std::uint32_t crc = little_endian(bytes.substr(kMagic.size() + 5, 4));
@@ -238,7 +248,7 @@ std::optional<Image> from_bytes(std::string_view bytes, const std::string& file,
   if (checksum(payload) != crc) return refuse("the image is damaged: its CRC does not match");
   try {
     Image image = from_json(json::from_cbor(payload.begin(), payload.end()));
-    require(image.flow.has_value() == (version == kFlowVersion), "flow tasks and the version");
+    require(version_of(image) == version, "processor, flow tasks and the version");
     return image;
   } catch (const std::exception& problem) {
     return refuse(fmt::format("the image holds what this program cannot use: {}", problem.what()));

@@ -14,6 +14,8 @@ namespace rung::image {
 // Of an image with flow tasks, and of one without, which a compiler that knows of no flow tasks
 // reads too.
 inline constexpr std::uint8_t kFlowVersion = 5, kPlainVersion = 4;
+// Of an image for MPU4.
+inline constexpr std::uint8_t kWideVersion = 6;
 
 // True if `bytes` begin like an image, whole or damaged.
 bool is_image(std::string_view bytes);

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "image/image.hpp"
+#include "image/wide_file.hpp"
 #include "rungs/ports.hpp"
 
 namespace rung::image {
@@ -204,6 +205,7 @@ std::string disassemble(const SlotInstruction& instruction, const Image& image) 
 }
 
 std::string listing(const Image& image) {
+  if (image.wide) return wide_listing(image);
   const isa::Config& config = *isa::find_config(image.config);
   const int digits = (isa::slot_bits(image.mpu, config) + 3) / 4;
   std::string out =

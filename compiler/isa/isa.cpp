@@ -150,6 +150,8 @@ int Config::steps(Mpu mpu) const {
       return steps_mpu2;
     case Mpu::Mpu3:
       return steps_mpu3;
+    case Mpu::Mpu4:
+      break;  // its sizes are those of its slots (compiler/wide/machine.hpp)
   }
   return 0;
 }

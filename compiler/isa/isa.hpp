@@ -39,8 +39,8 @@ std::span<const OpcodeInfo> opcodes();
 // What the table says of `opcode`, which must be one of it.
 const OpcodeInfo& info(Opcode opcode);
 
-// The processors. MPU2 is one slot, MPU3 two.
-enum class Mpu : std::uint8_t { Mpu1 = 1, Mpu2 = 2, Mpu3 = 3 };
+// The processors. MPU2 is one slot, MPU3 two. MPU4 has instructions of its own (compiler/wide).
+enum class Mpu : std::uint8_t { Mpu1 = 1, Mpu2 = 2, Mpu3 = 3, Mpu4 = 4 };
 // Slots of `mpu`: instructions in one step.
 int slots(Mpu mpu);
 

@@ -3,12 +3,15 @@
 FPGA is driven."""
 from __future__ import annotations
 
+import dataclasses
 from dataclasses import dataclass
 from pathlib import Path
 
 from flow import tools
 
 MPUS = (1, 2, 3)
+# MPU4 by its slots: address bits of the rows of words, units with a divider (hdl/isa/wide.toml)
+WIDE = {4: (10, 1), 8: (10, 2), 16: (9, 2)}
 
 
 @dataclass(frozen=True)
@@ -68,6 +71,11 @@ BOARDS = {
                   ("--pcf", constraint("hx8k.pcf")), 80, "hx8k"),
 }
 
+# MPU4's; 16 slots are some ten times MPU3, and nextpnr's second router is the faster one there.
+WIDE_BOARD = Board("ulx3s_wide", "ULX3S, ECP5-85F grade 6",
+                   dataclasses.replace(ECP5, nextpnr_options=(*ECP5.nextpnr_options, "--router", "router2")),
+                   ULX3S_85F, ("--lpf", constraint("ulx3s_wide.lpf")), 110, "ecp5")
+
 # The controller's board tops. The clock is the board's: nothing is won by a faster one.
 PLC_BOARDS = {
     "ulx3s": Board("plc_ulx3s", "ULX3S, ECP5-85F grade 6", ECP5, ULX3S_85F,
@@ -110,6 +118,17 @@ def rung_design(mpu: int, board: Board) -> Design:
         for name in ("power_on_reset", "serial_link", "ladder_ports", "board_core", board.name)]
     return Design(f"{board.name}-mpu{mpu}", board.name, tuple(sources), (tools.GENERATED, hdl / "core"),
                   (("MPU", mpu),), board)
+
+
+def wide_design(slots: int) -> Design:
+    """MPU4 with so many slots in its board top."""
+    hdl = tools.ROOT / "hdl"
+    sources = sorted((hdl / "wide").glob("*.v"))
+    sources += [hdl / "core" / f"{name}.v" for name in ("alu", "bank_ram", "muldiv")]
+    sources += [hdl / "boards" / f"{name}.v" for name in ("power_on_reset", "serial_link", WIDE_BOARD.name)]
+    word_addr, dividers = WIDE[slots]
+    return Design(f"{WIDE_BOARD.name}-{slots}", WIDE_BOARD.name, tuple(sources), (tools.GENERATED,),
+                  (("SLOTS", slots), ("WORD_ADDR", word_addr), ("DIVIDERS", dividers)), WIDE_BOARD)
 
 
 def plc_design(board: Board) -> Design:

@@ -25,6 +25,8 @@ std::unique_ptr<Processor> make(isa::Mpu mpu, const isa::Config& config) {
       return std::make_unique<VerilatedProcessor<Dut2, isa::Mpu::Mpu2>>(config);
     case isa::Mpu::Mpu3:
       return std::make_unique<VerilatedProcessor<Dut3, isa::Mpu::Mpu3>>(config);
+    case isa::Mpu::Mpu4:
+      break;  // it has a bench of its own (tb/wide)
   }
   throw std::invalid_argument("no such processor");
 }

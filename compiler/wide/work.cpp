@@ -407,6 +407,10 @@ class Maker {
       word.gather = add(cut, kFalse);
       work_.look_ups.back().gather = true;
     }
+    // No other GET may come between the last one and MVA.
+    for (int i = 0; i + 1 < constant::distance_accumulator; ++i) {
+      add_silent(group, Opcode::Nop, steps + i, {}, {});
+    }
     add_result(group, id, Opcode::Mva, steps - 1 + constant::distance_accumulator, 0, {}, {});
   }
 

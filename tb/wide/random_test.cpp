@@ -48,7 +48,12 @@ void for_seeds(const char* filter, F&& run) {
   const std::uint64_t count = from_environment("RUNG_COUNT", kDefaultCount);
   const std::uint64_t first = only != 0 ? only : 1;
   for (std::uint64_t seed = first; seed < first + (only != 0 ? 1 : count); ++seed) {
-    const std::string problem = run(seed);
+    std::string problem;
+    try {
+      problem = run(seed);
+    } catch (const std::exception& error) {
+      problem = error.what();  // a check between two passes
+    }
     ASSERT_TRUE(problem.empty()) << problem << "\nreplay: RUNG_SEED=" << seed
                                  << " wide_random --gtest_filter=" << filter;
   }

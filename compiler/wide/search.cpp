@@ -13,6 +13,9 @@ using values::NodeKind;
 using values::Values;
 using values::Word;
 
+// Items of all tries together, about.
+constexpr int kItemsTried = 40000;
+
 // How far each item is from the end of the scan.
 std::vector<double> heights(const Order& order, const Work& work, double latency) {
   // Items in an order in which users come later.
@@ -389,7 +392,9 @@ Schedule search(const Work& work, const Values& values, const Machine& machine,
   const int least = bounds(work, values, machine).steps();
   Schedule best;
   int limit = 1 << 30;
-  for (int i = 0; i < std::max(1, options.tries) && limit > least; ++i) {
+  // Of a long program fewer: each takes longer, and there is less to gain.
+  const int tries = std::clamp(kItemsTried / std::max(1, order.items), 1, std::max(1, options.tries));
+  for (int i = 0; i < tries && limit > least; ++i) {
     static constexpr double kLatencies[] = {2, 3, 1, 2.5};
     std::vector<double> priority = heights(order, work, kLatencies[i % 4]);
     std::mt19937_64 random(options.seed + static_cast<std::uint64_t>(i));

@@ -102,7 +102,9 @@ TEST(WideCorpus, LongProgramIsCompiledInTime) {
   const auto compiled = compile(*program, options, diagnostics);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
   EXPECT_TRUE(compiled || diagnostics.error_count() > 0);
+#ifndef __SANITIZE_ADDRESS__  // of the release build
   EXPECT_LT(took.count(), 10) << "for 19,950 instructions";
+#endif
 }
 
 TEST(WideCorpus, ImageFileKeepsEverything) {

@@ -70,8 +70,7 @@ std::string run_basic(std::uint64_t seed) {
   options.outputs = 2 << 2 * density;
   options.relays = 3 << 2 * density;
   options.words = 3 << density;
-  const Program program =
-      parse(random_program(seed, options), options.dialect, seed);
+  const Program program = parse(random_program(seed, options), options.dialect, seed);
   Stimulus stimulus;
   for (int scan = 0; scan < kScans; ++scan) {
     std::vector<StimulusEvent> events;
@@ -103,13 +102,9 @@ std::string run_melsec(std::uint64_t seed) {
   return problem;
 }
 
-TEST(WideRandom, BasicProgramsRunAsTheReference) {
-  for_seeds("*Basic*", run_basic);
-}
+TEST(WideRandom, BasicProgramsRunAsTheReference) { for_seeds("*Basic*", run_basic); }
 
-TEST(WideRandom, MelsecProgramsRunAsTheReference) {
-  for_seeds("*Melsec*", run_melsec);
-}
+TEST(WideRandom, MelsecProgramsRunAsTheReference) { for_seeds("*Melsec*", run_melsec); }
 
 }  // namespace
 }  // namespace rung::tb

@@ -50,18 +50,12 @@ nlohmann::ordered_json to_json(const prove::Proof& proof) {
 
 nlohmann::ordered_json to_json(const image::WideImage& wide) {
   const image::WideReport& r = wide.report;
-  return {{"slots", wide.slots},
-          {"merged", wide.merged},
-          {"latch_rows", wide.latch_rows},
-          {"bit_instructions", r.look_ups},
-          {"word_instructions", r.words},
-          {"divisions", r.divisions},
-          {"captures", r.captures},
-          {"near_values", r.near_values},
-          {"by_look_ups", r.by_look_ups},
-          {"by_words", r.by_words},
-          {"by_dividers", r.by_dividers},
-          {"by_dependence", r.by_dependence},
+  return {{"slots", wide.slots},           {"merged", wide.merged},
+          {"latch_rows", wide.latch_rows}, {"bit_instructions", r.look_ups},
+          {"word_instructions", r.words},  {"divisions", r.divisions},
+          {"captures", r.captures},        {"near_values", r.near_values},
+          {"by_look_ups", r.by_look_ups},  {"by_words", r.by_words},
+          {"by_dividers", r.by_dividers},  {"by_dependence", r.by_dependence},
           {"binding", r.binding}};
 }
 
@@ -125,8 +119,8 @@ std::string flow_summary(const image::Image& image, const std::optional<Bound>& 
       load::to_string(flow_bound_of(image, bound), *image.flow, clock_of(options, image)));
 }
 
-// "92 steps of 8 slots and 4 word units; 660 of 736 bit and 357 of 368 word places used; at least 90
-// steps (word units)"
+// "92 steps of 8 slots and 4 word units; 660 of 736 bit and 357 of 368 word places used; at least
+// 90 steps (word units)"
 std::string to_string(const image::WideImage& wide) {
   const image::WideReport& r = wide.report;
   const auto steps = static_cast<int>(wide.code.size());

@@ -146,8 +146,8 @@ class Maker {
     for (const wide::Write& write : code.writes) {
       const auto device = index_.find(write.device);
       if (device == index_.end()) continue;
-      const bool quiet =
-          write.instruction != wide::kNoInstruction && program_.instructions[write.instruction].quiet;
+      const bool quiet = write.instruction != wide::kNoInstruction &&
+                         program_.instructions[write.instruction].quiet;
       wide_->writes.push_back({write.step, write.lane, device->second, quiet});
     }
   }
@@ -185,8 +185,8 @@ std::optional<Compiled> compile_wide(const Program& program, const CompileOption
   wide::SearchOptions search;
   search.seed = options.search.seed;
   const wide::Schedule schedule = wide::search(work, values, *machine, search);
-  const wide::Code code = wide::assemble(schedule, work, values, *machine,
-                                         all_devices(program, lowered.program));
+  const wide::Code code =
+      wide::assemble(schedule, work, values, *machine, all_devices(program, lowered.program));
   check(program, "steps", static_cast<int>(code.steps.size()), machine->steps, *machine,
         diagnostics);
   check(program, "rows of bits", code.rows, machine->rows, *machine, diagnostics);

@@ -27,16 +27,16 @@ struct WidePort {
 
 // How well the units were used, for people.
 struct WideReport {
-  int look_ups = 0;       // bit instructions, of steps x slots
-  int words = 0;          // word instructions, of steps x units
+  int look_ups = 0;  // bit instructions, of steps x slots
+  int words = 0;     // word instructions, of steps x units
   int divisions = 0;
-  int captures = 0;       // results that a slot or unit takes from another one's lane
-  int near_values = 0;    // operands that come from a register, not from a row
-  int by_look_ups = 0;    // steps that no schedule can go below, by reason
+  int captures = 0;     // results that a slot or unit takes from another one's lane
+  int near_values = 0;  // operands that come from a register, not from a row
+  int by_look_ups = 0;  // steps that no schedule can go below, by reason
   int by_words = 0;
   int by_dividers = 0;
   int by_dependence = 0;
-  std::string binding;    // the reason that gives the most
+  std::string binding;  // the reason that gives the most
 };
 
 struct WideImage {

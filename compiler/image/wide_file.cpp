@@ -34,8 +34,8 @@ json wide_to_json(const WideImage& wide) {
   }
   out["ports"] = std::move(ports);
   const WideReport& r = wide.report;
-  out["report"] = {r.look_ups,     r.words,    r.divisions,   r.captures,     r.near_values,
-                   r.by_look_ups,  r.by_words, r.by_dividers, r.by_dependence};
+  out["report"] = {r.look_ups,    r.words,    r.divisions,   r.captures,     r.near_values,
+                   r.by_look_ups, r.by_words, r.by_dividers, r.by_dependence};
   out["binding"] = r.binding;
   return out;
 }
@@ -56,14 +56,14 @@ WideImage wide_from_json(const json& in) {
   for (const json& each : in.at("ports")) {
     const int kind = each.at(0).get<int>();
     require(inside(kind, kDeviceKinds), "kind of a port");
-    out.ports.push_back({{static_cast<DeviceKind>(kind), each.at(1).get<std::uint32_t>()},
-                         each.at(2).get<int>()});
+    out.ports.push_back(
+        {{static_cast<DeviceKind>(kind), each.at(1).get<std::uint32_t>()}, each.at(2).get<int>()});
   }
   const json& r = in.at("report");
   WideReport& report = out.report;
-  int* const numbers[] = {&report.look_ups,    &report.words,       &report.divisions,
-                          &report.captures,    &report.near_values, &report.by_look_ups,
-                          &report.by_words,    &report.by_dividers, &report.by_dependence};
+  int* const numbers[] = {&report.look_ups, &report.words,       &report.divisions,
+                          &report.captures, &report.near_values, &report.by_look_ups,
+                          &report.by_words, &report.by_dividers, &report.by_dependence};
   for (std::size_t i = 0; i < std::size(numbers); ++i) *numbers[i] = r.at(i).get<int>();
   report.binding = in.at("binding").get<std::string>();
   return out;
@@ -90,7 +90,8 @@ void check_wide(const Image& image) {
   require(wide.first_latch_row >= 0 && wide.latch_rows >= 0 &&
               wide.first_latch_row + wide.latch_rows <= machine->rows,
           "latch rows");
-  require(static_cast<int>(wide.latched.size()) <= wide.latch_rows * machine->slots, "latched bits");
+  require(static_cast<int>(wide.latched.size()) <= wide.latch_rows * machine->slots,
+          "latched bits");
   const auto devices = static_cast<int>(image.devices.size());
   for (const int device : wide.latched) require(inside(device, devices), "latched device");
   for (const WideWrite& each : wide.writes) {

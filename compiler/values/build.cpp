@@ -25,8 +25,7 @@ class Builder {
     // actions stand before it.
     std::size_t next = 0;
     for (std::size_t i = 0; i < logic_.actions.size(); ++i) {
-      for (; next < logic_.nodes.size() &&
-             logic_.nodes[next].epoch <= static_cast<std::int32_t>(i);
+      for (; next < logic_.nodes.size() && logic_.nodes[next].epoch <= static_cast<std::int32_t>(i);
            ++next) {
         add_node(next);
       }
@@ -204,8 +203,7 @@ class Builder {
       for (std::size_t i = 0; i < window.size(); ++i) {
         value = values_.lor(value, values_.land(chosen(i), bit(window[i])));
       }
-      return write(action.targets[0],
-                   values_.choose(gate, value, bit(action.targets[0])));
+      return write(action.targets[0], values_.choose(gate, value, bit(action.targets[0])));
     }
     for (std::size_t i = 0; i < window.size(); ++i) {
       const Literal hit = values_.land(gate, chosen(i));

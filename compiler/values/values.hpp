@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The whole program as values: every bit is a literal of one graph of ANDs, every word the result of
-// one operation. Rungs are gone after this pass: what two of them compute alike is one node, and
+// The whole program as values: every bit is a literal of one graph of ANDs, every word the result
+// of one operation. Rungs are gone after this pass: what two of them compute alike is one node, and
 // what nobody can see is none. What of it may be merged is said in MERGING.md.
 #pragma once
 
@@ -33,9 +33,9 @@ enum class NodeKind : std::uint8_t {
 
 struct Node {
   NodeKind kind = NodeKind::False;
-  Device device;               // Start
+  Device device;                // Start
   std::int32_t operation = -1;  // Test: index into Values::operations
-  Literal left = kFalse;       // And
+  Literal left = kFalse;        // And
   Literal right = kFalse;
 };
 
@@ -53,8 +53,8 @@ struct Word {
 // One operation on words. With `gate` 0 each output is the word in `keep` at its place.
 struct WordOp {
   core::Op op = core::Op::Mov;
-  std::vector<Word> operands;   // as core::Instruction has them
-  std::vector<Literal> bits;    // Gather: the lowest first
+  std::vector<Word> operands;  // as core::Instruction has them
+  std::vector<Literal> bits;   // Gather: the lowest first
   Literal gate = kTrue;
   std::vector<Word> keep;       // one an output; of no meaning if the gate is kTrue, but for
                                 // a division, which keeps it where the divisor is 0

@@ -37,9 +37,9 @@ struct Code {
 Code assemble(const Schedule& schedule, const Work& work, const values::Values& values,
               const Machine& machine, const std::vector<Device>& devices);
 
-// Runs the instructions on names of values: every operand is what the work means, every old value is
-// read before it is replaced, gates, flags and results of MUL and DIV are found where they must be,
-// and each device holds its last value. Empty, or the first thing that is wrong.
+// Runs the instructions on names of values: every operand is what the work means, every old value
+// is read before it is replaced, gates, flags and results of MUL and DIV are found where they must
+// be, and each device holds its last value. Empty, or the first thing that is wrong.
 std::string verify(const Code& code, const Schedule& schedule, const Work& work,
                    const values::Values& values, const Machine& machine);
 

@@ -85,9 +85,9 @@ Chunks encode(const Step& step, int slot, const Machine& machine) {
   if (has_unit(slot)) {
     const WordInstruction& word = step.words[slot / 2];
     const Operand& s2 = word.s2;
-    const auto source =
-        word.kind == 0 ? static_cast<unsigned>(s2.row << lane_bits(machine.units) | s2.lane)
-                       : word.constant;
+    const auto source = word.kind == 0
+                            ? static_cast<unsigned>(s2.row << lane_bits(machine.units) | s2.lane)
+                            : word.constant;
     out.add(source, constant::layout_word_bits);
     out.add(word.s1, machine.units);
     out.add(static_cast<unsigned>(word.keep.row), constant::layout_row_bits);

@@ -196,9 +196,9 @@ class Coverer {
     out_.cuts[id] = ranked.front().second;
     const bool free = is_leaf(id) && !stop_[id];
     depth_[id] = free ? 0 : ranked.front().first.depth + 1;
-    flow_[id] = free ? 0
-                     : (ranked.front().first.flow + 1) /
-                           static_cast<float>(std::max(1, references_[id]));
+    flow_[id] =
+        free ? 0
+             : (ranked.front().first.flow + 1) / static_cast<float>(std::max(1, references_[id]));
     cuts_[id].clear();
     if (stop_[id] || !(is_leaf(id) || open_[id])) cuts_[id].push_back(trivial(id));
     if (stop_[id]) return;

@@ -23,13 +23,13 @@ struct Cut {
 };
 
 struct Cover {
-  std::vector<Cut> cuts;      // by node: its look-up if it gets one
-  std::vector<bool> look_up;  // by node: a look-up computes it and its value is kept
+  std::vector<Cut> cuts;               // by node: its look-up if it gets one
+  std::vector<bool> look_up;           // by node: a look-up computes it and its value is kept
   std::vector<std::int32_t> captures;  // by node: the test whose flag its look-up reads, or -1
 };
 
-// `roots`: nodes whose value must be kept; `gates`: nodes that are computed where they are used, once
-// for each time that they stand there.
+// `roots`: nodes whose value must be kept; `gates`: nodes that are computed where they are used,
+// once for each time that they stand there.
 Cover cover(const values::Values& values, const std::vector<values::NodeId>& roots,
             const std::vector<values::NodeId>& gates, int arity);
 

@@ -52,9 +52,8 @@ std::string_view name_of(Opcode opcode) {
 }
 
 bool is_opcode(unsigned code) {
-  return std::any_of(std::begin(kNames), std::end(kNames), [&](const Name& each) {
-    return static_cast<unsigned>(each.opcode) == code;
-  });
+  return std::any_of(std::begin(kNames), std::end(kNames),
+                     [&](const Name& each) { return static_cast<unsigned>(each.opcode) == code; });
 }
 
 const Machine* find_machine(int slots) {

@@ -14,8 +14,8 @@ struct Order {
   std::vector<std::int32_t> item_of_look_up, item_of_group;
   // By item: those that use a result of it, each once.
   std::vector<std::vector<std::int32_t>> users;
-  // By device that has a home: the items that read what it holds at the start of the scan. They must
-  // do so before its home is written; the home's own item is not among them.
+  // By device that has a home: the items that read what it holds at the start of the scan. They
+  // must do so before its home is written; the home's own item is not among them.
   std::map<Device, std::vector<std::int32_t>> start_readers;
 
   std::int32_t home_item(const Work& work, Device device) const;

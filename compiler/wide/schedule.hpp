@@ -41,10 +41,10 @@ Schedule search(const Work& work, const values::Values& values, const Machine& m
 
 // What no schedule can go below, and why.
 struct Bounds {
-  int look_ups = 0;     // steps for so many look-ups
-  int words = 0;        // for so many word instructions
-  int dividers = 0;     // for so many divisions
-  int dependence = 0;   // the longest chain
+  int look_ups = 0;    // steps for so many look-ups
+  int words = 0;       // for so many word instructions
+  int dividers = 0;    // for so many divisions
+  int dependence = 0;  // the longest chain
   int steps() const;
   std::string_view binding() const;  // which of them it is
 };

@@ -13,6 +13,9 @@ using values::NodeKind;
 using values::Values;
 using values::Word;
 
+// Items of all tries together, about.
+constexpr int kItemsTried = 40000;
+
 // How far each item is from the end of the scan.
 std::vector<double> heights(const Order& order, const Work& work, double latency) {
   // Items in an order in which users come later.
@@ -89,9 +92,8 @@ class List {
       if (step >= limit) return false;
       ready_.insert(ready_.end(), fresh_.begin(), fresh_.end());
       fresh_.clear();
-      std::stable_sort(ready_.begin(), ready_.end(), [&](std::int32_t a, std::int32_t b) {
-        return priority_[a] > priority_[b];
-      });
+      std::stable_sort(ready_.begin(), ready_.end(),
+                       [&](std::int32_t a, std::int32_t b) { return priority_[a] > priority_[b]; });
       std::size_t kept = 0;
       for (std::size_t i = 0; i < ready_.size(); ++i) {
         const std::int32_t item = ready_[i];
@@ -269,9 +271,8 @@ class List {
       if (word.gate != kNone && !look_up_fits(word.gate, step - 1, 2 * lane)) return false;
       if (word.gather != kNone && !look_up_fits(word.gather, step, 2 * lane)) return false;
     }
-    return std::all_of(group.captures.begin(), group.captures.end(), [&](const auto& each) {
-      return capture_lane(each, base, lane) != kNone;
-    });
+    return std::all_of(group.captures.begin(), group.captures.end(),
+                       [&](const auto& each) { return capture_lane(each, base, lane) != kNone; });
   }
 
   bool old_values_read(std::int32_t item, const Group& group, int base) const {
@@ -389,7 +390,10 @@ Schedule search(const Work& work, const Values& values, const Machine& machine,
   const int least = bounds(work, values, machine).steps();
   Schedule best;
   int limit = 1 << 30;
-  for (int i = 0; i < std::max(1, options.tries) && limit > least; ++i) {
+  // Of a long program fewer: each takes longer, and there is less to gain.
+  const int tries =
+      std::clamp(kItemsTried / std::max(1, order.items), 1, std::max(1, options.tries));
+  for (int i = 0; i < tries && limit > least; ++i) {
     static constexpr double kLatencies[] = {2, 3, 1, 2.5};
     std::vector<double> priority = heights(order, work, kLatencies[i % 4]);
     std::mt19937_64 random(options.seed + static_cast<std::uint64_t>(i));

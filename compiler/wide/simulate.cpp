@@ -151,8 +151,7 @@ void Simulator::run_word(int step, int unit) {
   if (code.kind == 0) s2 = read_word(code.s2, step, unit);
   if (code.kind == 2) s2 = place;
   const int gate_step = step - constant::distance_gate;
-  const bool gate =
-      code.always || (gate_step >= 0 && bit_results_[gate_step][2 * unit] != 0);
+  const bool gate = code.always || (gate_step >= 0 && bit_results_[gate_step][2 * unit] != 0);
   bool writes = gate;
   const std::uint16_t value = compute(code, step, unit, s1, s2, gate, writes);
   Operand keep = code.keep;
@@ -161,8 +160,8 @@ void Simulator::run_word(int step, int unit) {
   kept_[step][unit] = writes ? 0 : 1;
 }
 
-std::uint16_t Simulator::compute(const WordInstruction& code, int step, int unit,
-                                 std::uint16_t s1, std::uint16_t s2, bool gate, bool& writes) {
+std::uint16_t Simulator::compute(const WordInstruction& code, int step, int unit, std::uint16_t s1,
+                                 std::uint16_t s2, bool gate, bool& writes) {
   Unit& state = units_[unit];
   const bool carry = state.carry;
   const auto test = [&](bool result) {

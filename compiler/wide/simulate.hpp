@@ -31,7 +31,7 @@ class Simulator {
   // is read in the clock in which it is written: what the block RAM gives then is not defined.
   void run_scan(std::span<const std::uint8_t> inputs);
 
-  std::int64_t clocks() const;  // of a scan, from start to done
+  std::int64_t clocks() const;           // of a scan, from start to done
   bool error() const { return error_; }  // a division by 0 was executed in the last scan
   // What the last scan computed.
   bool computed_bit(int step, int slot) const { return bit_results_[step][slot] != 0; }
@@ -42,11 +42,11 @@ class Simulator {
  private:
   struct Unit {
     bool carry = false;
-    std::vector<std::uint8_t> flags;       // by step: the flag after it
-    std::vector<std::uint16_t> gathered;   // by step: acc after it
-    std::vector<std::uint32_t> products;   // by step: what MUL started
+    std::vector<std::uint8_t> flags;      // by step: the flag after it
+    std::vector<std::uint16_t> gathered;  // by step: acc after it
+    std::vector<std::uint32_t> products;  // by step: what MUL started
     std::vector<std::uint16_t> quotients, remainders;
-    std::vector<std::uint8_t> zero;        // by step: DIV by 0
+    std::vector<std::uint8_t> zero;  // by step: DIV by 0
     std::uint16_t high1 = 0, high2 = 0;
     std::vector<std::vector<std::uint16_t>> wide;  // by step: what MULD or DIVD started
   };

@@ -17,9 +17,9 @@ using values::Word;
 struct Symbol {
   enum class Kind : std::uint8_t { Unknown, Zero, Start, Computed, Flag };
   Kind kind = Kind::Unknown;
-  Device device;                // Start
-  std::int32_t made = kNone;    // Computed: look-up, or group; Flag: the test's operation
-  std::int32_t word = kNone;    // Computed: place in its group
+  Device device;              // Start
+  std::int32_t made = kNone;  // Computed: look-up, or group; Flag: the test's operation
+  std::int32_t word = kNone;  // Computed: place in its group
   bool operator==(const Symbol&) const = default;
 };
 
@@ -410,8 +410,8 @@ class Checker {
   const Work& work_;
   const Values& values_;
   const Machine& machine_;
-  std::vector<std::vector<Symbol>> bits_, words_;  // by step and lane
-  std::map<std::int32_t, std::int32_t> tests_;  // operation -> its group
+  std::vector<std::vector<Symbol>> bits_, words_;   // by step and lane
+  std::map<std::int32_t, std::int32_t> tests_;      // operation -> its group
   std::map<int, Device> start_bits_, start_words_;  // by address
 };
 

@@ -20,9 +20,7 @@ using values::Word;
 using values::WordOp;
 
 // The operation may leave its targets as they are.
-bool keeps(const WordOp& op) {
-  return op.gate != kTrue || op.op == Op::Div || op.op == Op::Div32;
-}
+bool keeps(const WordOp& op) { return op.gate != kTrue || op.op == Op::Div || op.op == Op::Div32; }
 
 bool is_result(const Word& word) { return word.kind == Word::Kind::Result; }
 
@@ -182,9 +180,9 @@ class Maker {
 
   bool kept_from_start(Device device) const { return values_.starts.contains(device); }
 
-  // Each device gets a place: that of a look-up which computes its last value. Two devices share one
-  // if no look-up reads what either holds at the start of the scan, so that a write of the host to
-  // one is seen by nobody as a write to the other (MERGING.md).
+  // Each device gets a place: that of a look-up which computes its last value. Two devices share
+  // one if no look-up reads what either holds at the start of the scan, so that a write of the host
+  // to one is seen by nobody as a write to the other (MERGING.md).
   void settle_bits() {
     std::set<std::int32_t> taken;
     std::set<std::int32_t> shared;
@@ -406,6 +404,10 @@ class Maker {
       for (std::size_t k = 0; k < arity; ++k) cut.leaves[k] = enter(bits[i * arity + k]);
       word.gather = add(cut, kFalse);
       work_.look_ups.back().gather = true;
+    }
+    // No other GET may come between the last one and MVA.
+    for (int i = 0; i + 1 < constant::distance_accumulator; ++i) {
+      add_silent(group, Opcode::Nop, steps + i, {}, {});
     }
     add_result(group, id, Opcode::Mva, steps - 1 + constant::distance_accumulator, 0, {}, {});
   }

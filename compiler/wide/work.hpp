@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What MPU4 has to do in a scan, without times and places: look-ups, and groups of word instructions
-// that stand at fixed distances in one unit.
+// What MPU4 has to do in a scan, without times and places: look-ups, and groups of word
+// instructions that stand at fixed distances in one unit.
 #pragma once
 
 #include <cstdint>
@@ -24,10 +24,10 @@ inline constexpr std::size_t kNoInstruction = static_cast<std::size_t>(-1);
 // One bit instruction. Inputs are nodes: what a device holds at the start of the scan, a flag, or
 // what another look-up computes (Work::provider).
 struct LookUp {
-  Cut cut;                        // its inputs and its table
+  Cut cut;                         // its inputs and its table
   Literal value = values::kFalse;  // what it computes
-  std::int32_t flag = kNone;      // the test (index into Values::operations) whose flag it reads
-  std::int32_t group = kNone;     // the group that it belongs to, if it does
+  std::int32_t flag = kNone;       // the test (index into Values::operations) whose flag it reads
+  std::int32_t group = kNone;      // the group that it belongs to, if it does
   // Filled with the bits `cut` names in order, for the word instruction GET beside it.
   bool gather = false;
   std::size_t instruction = kNoInstruction;  // the core instruction it is shown with
@@ -38,12 +38,12 @@ struct WordWork {
   Opcode opcode = Opcode::Nop;
   int offset = 0;  // steps behind the first of its group
   values::Word s1, s2;
-  bool keeps = false;        // may leave the value: under a gate, and by a division by 0
-  values::Word keep;         // that value, if so
-  std::int32_t gate = kNone;  // look-up one step before it, in slot 2u; kNone: always
-  bool clear = false;        // GET: acc is cleared first
+  bool keeps = false;           // may leave the value: under a gate, and by a division by 0
+  values::Word keep;            // that value, if so
+  std::int32_t gate = kNone;    // look-up one step before it, in slot 2u; kNone: always
+  bool clear = false;           // GET: acc is cleared first
   std::int32_t gather = kNone;  // GET: the look-up beside it
-  bool writes = false;       // its result is a value, else its place is free
+  bool writes = false;          // its result is a value, else its place is free
   std::int32_t operation = kNone;
   int output = 0;
 };

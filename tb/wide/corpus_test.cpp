@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 
 #include "image/image_file.hpp"
@@ -79,6 +80,31 @@ TEST(WideCorpus, SamplesRunAsTheReferenceWithinTheirClocks) {
     EXPECT_EQ(wide_difference(*program, random_stimulus(*program, 20), how, &clocks), "");
     EXPECT_LE(clocks, most) << slots << " slots";
   }
+}
+
+// 20,000 instructions are more than there are steps for, which is found out when all passes but the
+// last are done.
+TEST(WideCorpus, LongProgramIsCompiledInTime) {
+  std::string text;
+  for (std::uint64_t seed = 1; seed <= 14; ++seed) {
+    std::string part = sample_program(1, 30, seed);
+    part.resize(part.rfind("END"));
+    text += part;
+  }
+  Diagnostics diagnostics;
+  const auto source = decode_text(text + "END\n", "long.il", diagnostics);
+  const auto program = parse_list(*source, Dialect::Paper, diagnostics);
+  ASSERT_TRUE(program);
+  CompileOptions options;
+  options.mpu = isa::Mpu::Mpu4;
+  options.slots = 16;
+  const auto begin = std::chrono::steady_clock::now();
+  const auto compiled = compile(*program, options, diagnostics);
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+  EXPECT_TRUE(compiled || diagnostics.error_count() > 0);
+#ifndef __SANITIZE_ADDRESS__  // of the release build
+  EXPECT_LT(took.count(), 10) << "for 19,950 instructions";
+#endif
 }
 
 TEST(WideCorpus, ImageFileKeepsEverything) {

@@ -41,8 +41,7 @@ std::string replaced(std::uint64_t seed, bool contacts_only) {
     }
     // One MV or ADD in four instructions: 356 of the 652 outputs.
     ++outputs;
-    const bool keep =
-        !contacts_only && (outputs - 1) * 356 / 652 != outputs * 356 / 652;
+    const bool keep = !contacts_only && (outputs - 1) * 356 / 652 != outputs * 356 / 652;
     if (!keep) {
       out += fmt::format("OUT M{}\n", 1000 + coil++);
     } else {
@@ -111,18 +110,20 @@ void row(const char* name, int slots, const std::function<void(wide::Machine&)>&
 }  // namespace
 
 int main(int argc, char** argv) {
-  fmt::print("# Exploration of MPU4\n\nMade by `make explore`{}{}. Sample 1 stand-ins of 1,425 "
-             "instructions (`tb/programs/samples.cpp`, density 30), median of\nseeds 1 to {}: steps "
-             "of a scan, without input latch and fill, and what bounds them. The chosen machine "
-             "has\nhalf as many word units as slots, 3 operands a look-up, 2 pipelined dividers (4 "
-             "slots: 1), all results on one bus.\n\n",
-             argc > 1 ? " on " : "", argc > 1 ? argv[1] : "", kSeeds);
+  fmt::print(
+      "# Exploration of MPU4\n\nMade by `make explore`{}{}. Sample 1 stand-ins of 1,425 "
+      "instructions (`tb/programs/samples.cpp`, density 30), median of\nseeds 1 to {}: steps "
+      "of a scan, without input latch and fill, and what bounds them. The chosen machine "
+      "has\nhalf as many word units as slots, 3 operands a look-up, 2 pipelined dividers (4 "
+      "slots: 1), all results on one bus.\n\n",
+      argc > 1 ? " on " : "", argc > 1 ? argv[1] : "", kSeeds);
   fmt::print("| machine | slots |");
   for (const Kind& kind : kKinds) fmt::print(" {} |", kind.name);
   fmt::print("\n|---|---|---|---|---|\n");
   for (const int slots : {4, 8, 16, 32}) row("chosen", slots, [](auto&) {});
   for (const int slots : {8, 16}) {
-    row("without merging", slots, [](auto&) {}, false);
+    row(
+        "without merging", slots, [](auto&) {}, false);
     row("4 operands a look-up", slots, [](auto& m) { m.arity = 4; });
     row("a quarter as many word units", slots, [](auto& m) { m.units = m.slots / 4; });
     row("results of others 1 step later", slots, [](auto& m) { m.other = 4; });

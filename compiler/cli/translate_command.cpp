@@ -8,6 +8,7 @@
 #include "bytecode/listing.hpp"
 #include "bytecode/writer.hpp"
 #include "cli/bound.hpp"
+#include "hardwired/verilog.hpp"
 #include "lower/lower.hpp"
 #include "source/text_file.hpp"
 
@@ -18,6 +19,11 @@ std::optional<std::string> to_bytecode(const Program& program, const Options& op
                                        Diagnostics& diagnostics) {
   auto file = bytecode::write(program, lower::lower(program), {}, diagnostics);
   return file && options.listing ? bytecode::listing(*file) : std::move(file);
+}
+
+std::optional<std::string> to_verilog(const Program& program, Diagnostics& diagnostics) {
+  const auto module = hardwired::to_verilog(program, {}, diagnostics);
+  return module ? std::optional(module->text) : std::nullopt;
 }
 
 // Bytes are not for a terminal, and a listing there is only of byte code.
@@ -35,6 +41,7 @@ std::optional<std::string> translate(const Program& program, const Options& opti
   const bool is_ld = program.dialect == Dialect::Ldmicro;
   if (options.target == "c") return to_c(program);
   if (options.target == "bytecode") return to_bytecode(program, options, diagnostics);
+  if (options.target == "verilog") return to_verilog(program, diagnostics);
   if (options.target == "ld" && is_ld) return to_ld(program, diagnostics);
   if (options.target == "il" && !is_ld) return to_list(program);
   diagnostics.error(options.program, {},
@@ -42,7 +49,7 @@ std::optional<std::string> translate(const Program& program, const Options& opti
                             "lack elements that it has"
                           : "an instruction list cannot be written as an LDmicro program: LDmicro "
                             "lacks instructions that lists have",
-                    "translate it to c or bytecode, or to " + std::string(is_ld ? "ld" : "il"));
+                    "translate it to c, bytecode or verilog, or to " + std::string(is_ld ? "ld" : "il"));
   return std::nullopt;
 }
 

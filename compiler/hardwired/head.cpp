@@ -69,8 +69,7 @@ std::string control(const Interface& interface, int clocks) {
                      "    busy_q <= ~rst_i & (phase[0] | (busy_q & ~phase[CLOCKS-1]));\n"
                      "    done_q <= ~rst_i & phase[CLOCKS-1];\n"
                      "  end\n",
-                     clocks)
-             .insert(0, "") +
+                     clocks) +
          text;
 }
 
@@ -104,7 +103,10 @@ std::string head(const Program& source, const Interface& interface, const Plan& 
   }
   text += table(source, "out_o", interface.outputs);
   text += table(source, "state_i, state_o", interface.state);
-  text += "\n`default_nettype none\n\n";
+  text +=
+      "\n`default_nettype none\n\n"
+      "// Of which ports and words all bits are used depends on the program.\n"
+      "/* verilator lint_off UNUSED */\n\n";
   const auto state = static_cast<std::size_t>(interface.state_width);
   const std::vector<std::string> ports{
       "    input  wire clk_i", "    input  wire rst_i", "    input  wire start_i",
@@ -116,11 +118,6 @@ std::string head(const Program& source, const Interface& interface, const Plan& 
       port("input ", state, "state_i"), port("output", state, "state_o")};
   text += fmt::format("module {} (\n{}\n);\n", options.name, fmt::join(ports, ",\n"));
   text += control(interface, plan.clocks);
-  // A port of which the program needs nothing, or not all of it, is there all the same.
-  text +=
-      "  /* verilator lint_off UNUSED */\n"
-      "  wire unused = &{1'b0, in_i, clocks_i, ticks_i, state_i};\n"
-      "  /* verilator lint_on UNUSED */\n";
   return text;
 }
 

@@ -38,8 +38,8 @@ module {0} (
   reg [31:0] a_q;
   reg [31:0] b_q;
   reg [31:0] low_q;
-  reg signed [32:0] cross_a_q;
-  reg signed [32:0] cross_b_q;
+  reg signed [32:0] middle_a_q;
+  reg signed [32:0] middle_b_q;
   reg signed [31:0] high_q;
   reg [63:0] product_q;
   // The low halves have no sign.
@@ -47,21 +47,21 @@ module {0} (
   wire signed [16:0] b_low = $signed({{1'b0, b_q[15:0]}});
   wire signed [15:0] a_high = $signed(a_q[31:16]);
   wire signed [15:0] b_high = $signed(b_q[31:16]);
-  wire signed [33:0] cross = cross_a_q + cross_b_q;
+  wire signed [33:0] middle = middle_a_q + middle_b_q;
   always @(posedge clk_i) begin
     a_q <= a_i;
     b_q <= b_i;
     low_q <= a_q[15:0] * b_q[15:0];
-    cross_a_q <= a_high * b_low;
-    cross_b_q <= b_high * a_low;
+    middle_a_q <= a_high * b_low;
+    middle_b_q <= b_high * a_low;
     high_q <= a_high * b_high;
-    product_q <= {{high_q, low_q}} + {{{{14{{cross[33]}}}}, cross, 16'b0}};
+    product_q <= {{high_q, low_q}} + {{{{14{{middle[33]}}}}, middle, 16'b0}};
   end
   assign result_o = product_q;
 endmodule
 )";
 
-// {0}: name, {1}: width, {2}: quotient bits a clock, {3}: steps - 1
+// {0}: name, {1}: width, {2}: quotient bits a clock, {3}: steps - 1, {4}: these bits
 constexpr std::string_view kDiv = R"(
 // Quotient towards 0 (low half of the result) and remainder with the dividend's sign (high half) of
 // {1} bits, a division a clock: operands, magnitudes, {2} bits of the quotient in each clock, signs.
@@ -74,7 +74,6 @@ module {0} (
     output wire        zero_o
 );
   localparam WIDTH = {1};
-  localparam BITS = {2};
   localparam LAST = {3};  // the number of the last step
   reg [WIDTH-1:0] a_q;
   reg [WIDTH-1:0] b_q;
@@ -96,21 +95,12 @@ module {0} (
   end
 
   genvar s;
-  genvar k;
   generate
     for (s = 0; s <= LAST; s = s + 1) begin : g_step
       wire [WIDTH-1:0] divisor = divisor_q[s*WIDTH+:WIDTH];
-      wire [2*WIDTH*(BITS+1)-1:0] rest;
-      assign rest[0+:2*WIDTH] = rest_q[s*2*WIDTH+:2*WIDTH];
-      for (k = 0; k < BITS; k = k + 1) begin : g_bit
-        wire [2*WIDTH-1:0] before = rest[k*2*WIDTH+:2*WIDTH];
-        wire [WIDTH:0] difference = before[2*WIDTH-1:WIDTH-1] - {{1'b0, divisor}};
-        assign rest[(k+1)*2*WIDTH+:2*WIDTH] = difference[WIDTH]
-            ? {{before[2*WIDTH-2:0], 1'b0}}
-            : {{difference[WIDTH-1:0], before[WIDTH-2:0], 1'b1}};
-      end
-      always @(posedge clk_i) begin
-        rest_q[(s+1)*2*WIDTH+:2*WIDTH] <= rest[BITS*2*WIDTH+:2*WIDTH];
+      wire [2*WIDTH-1:0] rest0 = rest_q[s*2*WIDTH+:2*WIDTH];
+{4}      always @(posedge clk_i) begin
+        rest_q[(s+1)*2*WIDTH+:2*WIDTH] <= rest{2};
         divisor_q[(s+1)*WIDTH+:WIDTH] <= divisor;
       end
     end
@@ -131,6 +121,20 @@ module {0} (
 endmodule
 )";
 
+// One bit of the quotient, number {0} of a step. {1}: {0} + 1
+constexpr std::string_view kDivBit =
+    R"(      wire [WIDTH:0] difference{0} = rest{0}[2*WIDTH-1:WIDTH-1] - {{1'b0, divisor}};
+      wire [2*WIDTH-1:0] rest{1} = difference{0}[WIDTH]
+          ? {{rest{0}[2*WIDTH-2:0], 1'b0}}
+          : {{difference{0}[WIDTH-1:0], rest{0}[WIDTH-2:0], 1'b1}};
+)";
+
+std::string divider(const std::string& name, int width, int bits) {
+  std::string step;
+  for (int bit = 0; bit < bits; ++bit) step += fmt::format(fmt::runtime(kDivBit), bit, bit + 1);
+  return fmt::format(fmt::runtime(kDiv), name, width, bits, width / bits - 1, step);
+}
+
 }  // namespace
 
 std::string unit_module(const Unit& unit, std::string_view prefix) {
@@ -141,9 +145,9 @@ std::string unit_module(const Unit& unit, std::string_view prefix) {
     case core::Op::Mul32:
       return fmt::format(fmt::runtime(kMul32), name);
     case core::Op::Div:
-      return fmt::format(fmt::runtime(kDiv), name, 16, 2, 7);
+      return divider(name, 16, 2);
     default:
-      return fmt::format(fmt::runtime(kDiv), name, 32, 1, 31);
+      return divider(name, 32, 1);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <bit>
 #include <stdexcept>
 
 namespace rung::hardwired {
@@ -67,6 +68,18 @@ std::string Values::operand(const logic::Operand& operand, std::int32_t clock) {
 std::string Values::pair(const Action& action, std::size_t low, std::int32_t clock) {
   return fmt::format("{{{}, {}}}", operand(action.operands.at(low + 1), clock),
                      operand(action.operands.at(low), clock));
+}
+
+// The low `bits` of a word operand.
+std::string Values::low_bits(const logic::Operand& word, std::int32_t clock, int bits,
+                             const std::string& name, std::string& wires) {
+  std::string value = operand(word, clock);
+  // Only of a name can a part be taken.
+  if (value.find('\'') != std::string::npos || value.back() == ']') {
+    wires += fmt::format("  wire [15:0] {} = {};\n", name, value);
+    value = name;
+  }
+  return fmt::format("{}[{}:0]", value, bits - 1);
 }
 
 std::string Values::make_tree(NodeId id, std::int32_t clock, std::string& wires) {
@@ -162,6 +175,12 @@ std::string Values::shared(std::size_t i, std::string& wires) {
       wires += fmt::format("  wire [{}:0] {} =\n      {{{}}};\n",
                            width * static_cast<int>(window.size()) - 1, name,
                            fmt::join(window, ",\n       "));
+      if (window.size() > 1) {
+        const int bits = std::bit_width(window.size() - 1);
+        const std::string low = low_bits(action.operands.at(0), clock, bits,
+                                         fmt::format("a{}_word", i), wires);
+        wires += fmt::format("  wire [{}:0] a{}_index = {};\n", bits - 1, i, low);
+      }
       break;
     }
     default:
@@ -190,12 +209,9 @@ std::string Values::result(std::size_t i, std::size_t t, std::string& wires) {
       return two(" ^ ");
     case Op::Minu:
       return fmt::format("({0} < {1} ? {0} : {1})", source(0), source(1));
-    case Op::Rol: {
-      const std::string twice = fmt::format("a{}_twice", i);
-      wires += fmt::format("  wire [31:0] {0} = {{{1}, {1}}} << ({2} & 16'h000F);\n", twice,
-                           source(0), source(1));
-      return twice + "[31:16]";
-    }
+    case Op::Rol:
+      return fmt::format("({0} << ({1} & 16'h000F) | {0} >> (16'd16 - ({1} & 16'h000F)))", source(0),
+                         source(1));
     case Op::Add32:
     case Op::Sub32:
       return fmt::format("a{}_sum[{} +: 16]", i, 16 * t);
@@ -235,10 +251,13 @@ std::string Values::result(std::size_t i, std::size_t t, std::string& wires) {
     case Op::LoadWord:
     case Op::LoadBit: {
       const bool word = action.op == Op::LoadWord;
-      const std::string index = source(0);
-      return fmt::format("({0} < 16'd{1} ? a{2}_window[{3}{0}{4}] : {5})", index,
-                         action.reads.size(), i, word ? "16 * " : "", word ? " +: 16" : "",
-                         word ? "16'h0000" : "1'b0");
+      std::string place;
+      if (action.reads.size() > 1) {
+        place = word ? fmt::format("[{{a{}_index, 4'b0}} +: 16]", i)
+                     : fmt::format("[a{}_index]", i);
+      }
+      return fmt::format("({} < 16'd{} ? a{}_window{} : {})", source(0), action.reads.size(), i,
+                         place, word ? "16'h0000" : "1'b0");
     }
     case Op::StoreWord:
       return source(1);

@@ -47,6 +47,8 @@ class Values {
  private:
   std::string operand(const logic::Operand& operand, std::int32_t clock);
   std::string pair(const logic::Action& action, std::size_t low, std::int32_t clock);
+  std::string low_bits(const logic::Operand& word, std::int32_t clock, int bits,
+                       const std::string& name, std::string& wires);
   std::string condition(std::size_t i, std::string& wires);
   std::string tree(logic::NodeId id, std::int32_t clock, std::string& wires);
   std::string make_tree(logic::NodeId id, std::int32_t clock, std::string& wires);

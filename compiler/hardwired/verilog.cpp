@@ -51,7 +51,7 @@ class Writer {
     for (const Unit& unit : kUnits) {
       if (used_.contains(unit.op)) text += unit_module(unit, options_.name);
     }
-    return text + "\n`default_nettype wire\n";
+    return text + "\n/* verilator lint_on UNUSED */\n`default_nettype wire\n";
   }
 
   std::size_t holds() const { return values_.holds().size(); }

@@ -21,14 +21,20 @@ std::optional<std::string> to_bytecode(const Program& program, const Options& op
   return file && options.listing ? bytecode::listing(*file) : std::move(file);
 }
 
-std::optional<std::string> to_verilog(const Program& program, Diagnostics& diagnostics) {
-  const auto module = hardwired::to_verilog(program, {}, diagnostics);
+std::optional<std::string> to_verilog(const Program& program, const Options& options,
+                                      Diagnostics& diagnostics) {
+  hardwired::Options how;
+  if (!options.path_ns.empty()) how.step_ns = std::stod(options.path_ns);
+  const auto module = hardwired::to_verilog(program, how, diagnostics);
   return module ? std::optional(module->text) : std::nullopt;
 }
 
 // Bytes are not for a terminal, and a listing there is only of byte code.
 void check_usage(const Options& options) {
   const bool bytecode = options.target == "bytecode";
+  if (!options.path_ns.empty() && options.target != "verilog") {
+    throw UsageError("--path-ns is for --to verilog");
+  }
   if (options.listing && !bytecode) throw UsageError("--listing is for --to bytecode");
   const bool to_output = options.output.empty() || options.output == "-";
   if (bytecode && !options.listing && to_output && isatty(STDOUT_FILENO) != 0) {
@@ -41,7 +47,7 @@ std::optional<std::string> translate(const Program& program, const Options& opti
   const bool is_ld = program.dialect == Dialect::Ldmicro;
   if (options.target == "c") return to_c(program);
   if (options.target == "bytecode") return to_bytecode(program, options, diagnostics);
-  if (options.target == "verilog") return to_verilog(program, diagnostics);
+  if (options.target == "verilog") return to_verilog(program, options, diagnostics);
   if (options.target == "ld" && is_ld) return to_ld(program, diagnostics);
   if (options.target == "il" && !is_ld) return to_list(program);
   diagnostics.error(options.program, {},

@@ -157,6 +157,23 @@ flow-report: ## the paper's experiment with 1 to 100 flow tasks: reports/flow.md
 programs: build ## real lists and LDmicro programs: which run, what each instruction costs: reports/programs.md
 	@$(PYTHON) scripts/programs_report.py
 
+.PHONY: hardwired
+hardwired: build ## programs as hard-wired logic: checked, area, clock, time of a change: reports/hardwired.md
+	@scripts/setup.sh flow
+	$(call cmake_build,build/release,$(RELEASE),--target hardwired_all)
+	@build/release/tb/hardwired/hardwired_all
+	@$(VENV)/python scripts/hardwired.py --jobs $(JOBS)
+
+.PHONY: cells
+cells: build ## the processors on standard cells: gates, area, clock: reports/cells.md
+	@scripts/setup.sh cells
+	@$(VENV)/python scripts/cells.py
+
+.PHONY: tradeoff
+tradeoff: build ## all of it on one chart, from the other reports: reports/tradeoff.md
+	@scripts/setup.sh chart
+	@build/chart/bin/python scripts/tradeoff.py
+
 .PHONY: report
 report: ## all reports, in order: steps, programs, area and clock, boards, bench
 	@scripts/setup.sh bench
@@ -167,6 +184,6 @@ report: ## all reports, in order: steps, programs, area and clock, boards, bench
 	@$(MAKE) --no-print-directory bench
 
 .PHONY: clean
-clean: ## remove everything built but the Python environments, build/venv and build/clients
+clean: ## remove everything built but the Python environments: build/venv, clients and chart
 	@if [ -d build ]; then \
-	  find build -mindepth 1 -maxdepth 1 ! -name venv ! -name clients -exec rm -rf {} +; fi
+	  find build -mindepth 1 -maxdepth 1 ! -name venv ! -name clients ! -name chart -exec rm -rf {} +; fi

@@ -76,7 +76,7 @@ def main() -> int:
         return 0
     report = {
         "made_by": "make cells", "date": datetime.date.today().isoformat(),
-        "tools": {"yosys": yosys_version(), "opensta": tools.version(cells.STA)},
+        "tools": {"yosys": yosys_version(), "opensta": tools.version(cells.STA).split(" GITDIR")[0]},
         "liberty": {"file": cells.LIBERTY.name, "process": "0.18 um, typical, 1.8 V, 25 C"},
         "assumed": {"access_ns": cells.ACCESS_NS, "access_ns_a_doubling": cells.ACCESS_NS_A_DOUBLING,
                     "setup_ns": cells.SETUP_NS, "cell_um2": cells.CELL_UM2,

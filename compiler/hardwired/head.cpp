@@ -57,19 +57,20 @@ std::string control(const Interface& interface, int clocks) {
     return "  wire [0:0] phase = start_i;  // the one clock of a scan\n" + text +
            "  assign busy_o = 1'b0;\n  always @(posedge clk_i) done_q <= ~rst_i & start_i;\n";
   }
-  return fmt::format("  localparam CLOCKS = {};\n"
-                     "  // One of these is 1 in each clock of a scan.\n"
-                     "  wire [CLOCKS-1:0] phase;\n"
-                     "  reg [CLOCKS-1:1] phase_q;\n"
-                     "  reg busy_q;\n"
-                     "  assign phase = {{phase_q, start_i & ~busy_q}};\n"
-                     "  assign busy_o = busy_q;\n"
-                     "  always @(posedge clk_i) begin\n"
-                     "    phase_q <= phase[CLOCKS-2:0] & {{CLOCKS - 1{{~rst_i}}}};\n"
-                     "    busy_q <= ~rst_i & (phase[0] | (busy_q & ~phase[CLOCKS-1]));\n"
-                     "    done_q <= ~rst_i & phase[CLOCKS-1];\n"
-                     "  end\n",
-                     clocks) +
+  return fmt::format(
+             "  localparam CLOCKS = {};\n"
+             "  // One of these is 1 in each clock of a scan.\n"
+             "  wire [CLOCKS-1:0] phase;\n"
+             "  reg [CLOCKS-1:1] phase_q;\n"
+             "  reg busy_q;\n"
+             "  assign phase = {{phase_q, start_i & ~busy_q}};\n"
+             "  assign busy_o = busy_q;\n"
+             "  always @(posedge clk_i) begin\n"
+             "    phase_q <= phase[CLOCKS-2:0] & {{CLOCKS - 1{{~rst_i}}}};\n"
+             "    busy_q <= ~rst_i & (phase[0] | (busy_q & ~phase[CLOCKS-1]));\n"
+             "    done_q <= ~rst_i & phase[CLOCKS-1];\n"
+             "  end\n",
+             clocks) +
          text;
 }
 
@@ -89,8 +90,8 @@ std::string head(const Program& source, const Interface& interface, const Plan& 
   const std::string file = plain(std::filesystem::path(source.file).filename().string());
   std::string text = fmt::format(
       fmt::runtime(kPurpose), fmt::arg("name", file),
-      fmt::arg("clocks", plan.clocks == 1 ? "one clock"
-                                          : fmt::format("{} clocks, always", plan.clocks)));
+      fmt::arg("clocks",
+               plan.clocks == 1 ? "one clock" : fmt::format("{} clocks, always", plan.clocks)));
   text.erase(0, 3);
   text += table(source, "in_i", interface.inputs);
   text += table(source, "clocks_i: clock relays, as they are in the scan", interface.clocks);
@@ -108,14 +109,19 @@ std::string head(const Program& source, const Interface& interface, const Plan& 
       "// Of which ports and words all bits are used depends on the program.\n"
       "/* verilator lint_off UNUSED */\n\n";
   const auto state = static_cast<std::size_t>(interface.state_width);
-  const std::vector<std::string> ports{
-      "    input  wire clk_i", "    input  wire rst_i", "    input  wire start_i",
-      "    output wire busy_o", "    output wire done_o", "    output wire error_o",
-      port("input ", interface.inputs.size(), "in_i"),
-      port("input ", interface.clocks.size(), "clocks_i"),
-      port("input ", 16 * interface.ticks.size(), "ticks_i"),
-      port("output", interface.outputs.size(), "out_o"), "    input  wire state_load_i",
-      port("input ", state, "state_i"), port("output", state, "state_o")};
+  const std::vector<std::string> ports{"    input  wire clk_i",
+                                       "    input  wire rst_i",
+                                       "    input  wire start_i",
+                                       "    output wire busy_o",
+                                       "    output wire done_o",
+                                       "    output wire error_o",
+                                       port("input ", interface.inputs.size(), "in_i"),
+                                       port("input ", interface.clocks.size(), "clocks_i"),
+                                       port("input ", 16 * interface.ticks.size(), "ticks_i"),
+                                       port("output", interface.outputs.size(), "out_o"),
+                                       "    input  wire state_load_i",
+                                       port("input ", state, "state_i"),
+                                       port("output", state, "state_o")};
   text += fmt::format("module {} (\n{}\n);\n", options.name, fmt::join(ports, ",\n"));
   text += control(interface, plan.clocks);
   return text;

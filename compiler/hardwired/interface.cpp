@@ -37,7 +37,8 @@ Interface::Interface(const Program& source, const core::Program& program,
     state.push_back(device);
   }
   for (const core::TickWord& word : program.ticks) {
-    starts_[word.device] = {Start::Kind::Given, fmt::format("ticks_i[{} +: 16]", 16 * ticks.size())};
+    starts_[word.device] = {Start::Kind::Given,
+                            fmt::format("ticks_i[{} +: 16]", 16 * ticks.size())};
     ticks.push_back(word.base_us);
   }
   for (const core::ConstantWord& word : program.constants) {

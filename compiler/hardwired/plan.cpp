@@ -21,8 +21,8 @@ using logic::NodeKind;
 using logic::Version;
 
 // Estimates in ns on an ECP5 of grade 6, wires included.
-constexpr double kGate = 0.45;     // of two inputs, of which a LUT takes three
-constexpr double kChoice = 1.0;    // of the old or the new word
+constexpr double kGate = 0.45;      // of two inputs, of which a LUT takes three
+constexpr double kChoice = 1.0;     // of the old or the new word
 constexpr double kUnitInput = 2.2;  // from an operand to the register of a unit that many share
 
 double delay(const Action& action) {
@@ -56,7 +56,9 @@ double delay(const Action& action) {
   }
 }
 
-bool is_bit_action(Op op) { return core::is_coil(op) || op == Op::LoadBit || op == Op::SetBit || op == Op::RstBit; }
+bool is_bit_action(Op op) {
+  return core::is_coil(op) || op == Op::LoadBit || op == Op::SetBit || op == Op::RstBit;
+}
 
 // Calls `each` with every value that a node's tree reads directly under it, or its nodes.
 template <typename Values, typename Nodes>
@@ -89,7 +91,8 @@ class Liveness {
       : logic_(logic), interface_(interface), plan_(plan), nodes_(logic.nodes.size(), false) {}
 
   void run() {
-    for (const Action& action : logic_.actions) plan_.live.emplace_back(action.targets.size(), false);
+    for (const Action& action : logic_.actions)
+      plan_.live.emplace_back(action.targets.size(), false);
     for (const Device device : interface_.state) end_of(device);
     for (std::size_t i = 0; i < logic_.actions.size(); ++i) {
       // The error flag sees every division.
@@ -178,7 +181,8 @@ class Scheduler {
   void run() {
     for (std::size_t i = 0; i < logic_.actions.size(); ++i) {
       const Action& action = logic_.actions[i];
-      const bool needed = std::find(plan_.live[i].begin(), plan_.live[i].end(), true) != plan_.live[i].end();
+      const bool needed =
+          std::find(plan_.live[i].begin(), plan_.live[i].end(), true) != plan_.live[i].end();
       const bool divides = action.op == Op::Div || action.op == Op::Div32;
       if (!needed && !divides) continue;
       if (unit_of(action.op) != nullptr) {
@@ -322,7 +326,8 @@ class Scheduler {
 }  // namespace
 
 const Unit* unit_of(Op op) {
-  const auto* found = std::find_if(kUnits.begin(), kUnits.end(), [&](const Unit& unit) { return unit.op == op; });
+  const auto* found =
+      std::find_if(kUnits.begin(), kUnits.end(), [&](const Unit& unit) { return unit.op == op; });
   return found == kUnits.end() ? nullptr : found;
 }
 

@@ -2,8 +2,8 @@
 // In which clock of a scan each action of a hard-wired program happens.
 //
 // A program of bits is one clock, however long its paths are. One with words gets as many clocks as
-// keep the estimated path between two registers below `Options::step_ns`; MUL and DIV pass through one
-// pipelined unit of each kind, in a clock each and some clocks later. The count depends on the
+// keep the estimated path between two registers below `Options::step_ns`; MUL and DIV pass through
+// one pipelined unit of each kind, in a clock each and some clocks later. The count depends on the
 // program alone.
 #pragma once
 
@@ -34,8 +34,8 @@ const Unit* unit_of(core::Op op);
 
 struct Plan {
   // By action. An action that nobody needs has no clock, -1.
-  std::vector<std::int32_t> issue;  // in which it reads its operands
-  std::vector<std::int32_t> clock;  // in which its value is there, and at whose end it is kept
+  std::vector<std::int32_t> issue;      // in which it reads its operands
+  std::vector<std::int32_t> clock;      // in which its value is there, and at whose end it is kept
   std::vector<std::vector<bool>> live;  // by target: whether somebody needs that value
   std::map<Device, std::vector<logic::Version>> versions;  // those that somebody needs, in order
   std::int32_t clocks = 1;

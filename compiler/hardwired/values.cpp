@@ -135,7 +135,8 @@ std::string Values::unit_operand(std::size_t i, int which) {
 std::string Values::zero_division(std::size_t i) {
   std::string wires;
   const std::string when = condition(i, wires);
-  if (!wires.empty()) throw std::logic_error("hard-wired: a condition was not made with its action");
+  if (!wires.empty())
+    throw std::logic_error("hard-wired: a condition was not made with its action");
   const std::string zero = fmt::format("{}_zero", unit_of(logic_.actions[i].op)->name);
   return when.empty() ? zero : fmt::format("{} & {}", zero, when);
 }
@@ -177,8 +178,8 @@ std::string Values::shared(std::size_t i, std::string& wires) {
                            fmt::join(window, ",\n       "));
       if (window.size() > 1) {
         const int bits = std::bit_width(window.size() - 1);
-        const std::string low = low_bits(action.operands.at(0), clock, bits,
-                                         fmt::format("a{}_word", i), wires);
+        const std::string low =
+            low_bits(action.operands.at(0), clock, bits, fmt::format("a{}_word", i), wires);
         wires += fmt::format("  wire [{}:0] a{}_index = {};\n", bits - 1, i, low);
       }
       break;
@@ -210,8 +211,8 @@ std::string Values::result(std::size_t i, std::size_t t, std::string& wires) {
     case Op::Minu:
       return fmt::format("({0} < {1} ? {0} : {1})", source(0), source(1));
     case Op::Rol:
-      return fmt::format("({0} << ({1} & 16'h000F) | {0} >> (16'd16 - ({1} & 16'h000F)))", source(0),
-                         source(1));
+      return fmt::format("({0} << ({1} & 16'h000F) | {0} >> (16'd16 - ({1} & 16'h000F)))",
+                         source(0), source(1));
     case Op::Add32:
     case Op::Sub32:
       return fmt::format("a{}_sum[{} +: 16]", i, 16 * t);
@@ -253,8 +254,8 @@ std::string Values::result(std::size_t i, std::size_t t, std::string& wires) {
       const bool word = action.op == Op::LoadWord;
       std::string place;
       if (action.reads.size() > 1) {
-        place = word ? fmt::format("[{{a{}_index, 4'b0}} +: 16]", i)
-                     : fmt::format("[a{}_index]", i);
+        place =
+            word ? fmt::format("[{{a{}_index, 4'b0}} +: 16]", i) : fmt::format("[a{}_index]", i);
       }
       return fmt::format("({} < 16'd{} ? a{}_window{} : {})", source(0), action.reads.size(), i,
                          place, word ? "16'h0000" : "1'b0");
@@ -303,7 +304,8 @@ std::string Values::action(std::size_t i) {
       }
       if (!whether.empty()) value = fmt::format("{} ? {} : {}", whether, value, old());
     }
-    wires += fmt::format("  wire {}{} = {};\n", range(is_word(device)), wire(device, static_cast<Version>(i)), value);
+    wires += fmt::format("  wire {}{} = {};\n", range(is_word(device)),
+                         wire(device, static_cast<Version>(i)), value);
   }
   return wires;
 }

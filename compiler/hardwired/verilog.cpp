@@ -127,7 +127,8 @@ class Writer {
   // Which value a device takes at the end of which clocks: of each clock the last one.
   std::map<std::int32_t, std::string> kept_values(Device device) {
     std::map<std::int32_t, std::string> values;
-    if (interface_.start(device).kind == Start::Kind::Given) values[0] = values_.wire(device, kStart);
+    if (interface_.start(device).kind == Start::Kind::Given)
+      values[0] = values_.wire(device, kStart);
     const auto versions = plan_.versions.find(device);
     if (versions == plan_.versions.end()) return values;
     for (const Version version : versions->second) {
@@ -183,7 +184,8 @@ class Writer {
     }
     for (const Device device : interface_.state) {
       const Start& start = interface_.start(device);
-      state.push_back(start.kind == Start::Kind::Fixed ? start.text : values_.register_name(device));
+      state.push_back(start.kind == Start::Kind::Fixed ? start.text
+                                                       : values_.register_name(device));
     }
     if (now.empty()) {
       text += "  assign out_o = 1'b0;\n";
@@ -252,11 +254,12 @@ std::optional<Module> to_verilog(const Program& source, const Options& options,
     window_reads += std::max(instruction.reads.size(), instruction.targets.size());
     if (window_reads <= kMostWindowReads) continue;
     const Instruction& culprit = source.instructions[instruction.origin];
-    diagnostics.error(source.file, culprit.position,
-                      fmt::format("indexed operands and tables reach more than {} devices in all, "
-                                  "each of them an input of a multiplexer in hard-wired logic",
-                                  kMostWindowReads),
-                      "name fewer devices of the indexed kind, or compile the program for a processor");
+    diagnostics.error(
+        source.file, culprit.position,
+        fmt::format("indexed operands and tables reach more than {} devices in all, "
+                    "each of them an input of a multiplexer in hard-wired logic",
+                    kMostWindowReads),
+        "name fewer devices of the indexed kind, or compile the program for a processor");
     return std::nullopt;
   }
   const logic::Logic logic = logic::build(program);

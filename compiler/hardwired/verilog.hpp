@@ -17,7 +17,7 @@ struct Options {
 struct Module {
   std::string text;  // the file
   Interface interface;
-  int clocks = 0;     // of a scan
+  int clocks = 0;         // of a scan
   std::size_t holds = 0;  // registers beside those of the devices
 };
 

@@ -126,8 +126,8 @@ TEST(Hardwired, AgreesWithTheReference) {
     holds += agreement.module(i).holds;
     const std::string found = agreement.difference_of(i);
     EXPECT_TRUE(found.empty()) << subjects[i].name << " (" << subjects[i].replay << "): " << found
-                               << subjects[i].what.text
-                               << "replay: RUNG_SUBJECT='" << subjects[i].name
+                               << subjects[i].what.text << "replay: RUNG_SUBJECT='"
+                               << subjects[i].name
                                << "' build/test/tb/hardwired/hardwired_" RUNG_SET;
   }
   EXPECT_GT(compared, 0) << "no program " << (only == nullptr ? "" : only);

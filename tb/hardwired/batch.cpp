@@ -18,12 +18,10 @@ struct Port {
   const char* name;
   int Offsets::*bit;
 };
-constexpr Port kPorts[] = {{"input ", "in_i", &Offsets::in},
-                           {"input ", "clocks_i", &Offsets::clocks},
-                           {"input ", "ticks_i", &Offsets::ticks},
-                           {"output", "out_o", &Offsets::out},
-                           {"input ", "state_i", &Offsets::state},
-                           {"output", "state_o", &Offsets::state}};
+constexpr Port kPorts[] = {
+    {"input ", "in_i", &Offsets::in},       {"input ", "clocks_i", &Offsets::clocks},
+    {"input ", "ticks_i", &Offsets::ticks}, {"output", "out_o", &Offsets::out},
+    {"input ", "state_i", &Offsets::state}, {"output", "state_o", &Offsets::state}};
 
 // As the module declares them: a port without a use has one bit.
 int width_of(const hardwired::Interface& interface, int Offsets::*port) {
@@ -50,7 +48,8 @@ Batch::Batch(const std::vector<Subject>& subjects, double step_ns) {
       throw std::runtime_error(subject.name + ": " + text.str());
     }
     Placed placed{widths_, std::move(*module)};
-    for (const auto bit : {&Offsets::in, &Offsets::clocks, &Offsets::ticks, &Offsets::out, &Offsets::state}) {
+    for (const auto bit :
+         {&Offsets::in, &Offsets::clocks, &Offsets::ticks, &Offsets::out, &Offsets::state}) {
       widths_.*bit += width_of(placed.module.interface, bit);
     }
     modules_.push_back(std::move(placed));
@@ -61,9 +60,11 @@ std::string Batch::verilog() const {
   std::string text;
   for (const Placed& placed : modules_) text += placed.module.text;
   const int count = std::max(static_cast<int>(modules_.size()), kLeastWidth);
-  text += "\n`default_nettype none\n\n/* verilator lint_off UNUSED */\n/* verilator lint_off UNDRIVEN */\n"
-          "module hardwired_batch (\n    input  wire clk_i,\n"
-          "    input  wire rst_i,\n";
+  text +=
+      "\n`default_nettype none\n\n/* verilator lint_off UNUSED */\n/* verilator lint_off UNDRIVEN "
+      "*/\n"
+      "module hardwired_batch (\n    input  wire clk_i,\n"
+      "    input  wire rst_i,\n";
   for (const char* name : {"start_i", "state_load_i"}) {
     text += fmt::format("    input  wire [{}:0] {},\n", count - 1, name);
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Many hard-wired programs side by side in one Verilog file, so that one Verilated model runs them all:
-// Verilator and the compiler take longer to begin than for a program of this size. The top,
+// Many hard-wired programs side by side in one Verilog file, so that one Verilated model runs them
+// all: Verilator and the compiler take longer to begin than for a program of this size. The top,
 // `hardwired_batch`, has each port of each program behind that of the one before.
 #pragma once
 
@@ -31,8 +31,7 @@ struct Placed : Offsets {
 class Batch {
  public:
   // Throws std::runtime_error for a program that is refused.
-  explicit Batch(const std::vector<Subject>& subjects,
-                 double step_ns = hardwired::kDefaultStepNs);
+  explicit Batch(const std::vector<Subject>& subjects, double step_ns = hardwired::kDefaultStepNs);
 
   const std::vector<Placed>& modules() const { return modules_; }
   std::string verilog() const;

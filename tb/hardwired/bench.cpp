@@ -118,7 +118,8 @@ std::int16_t Bench::get(std::size_t program, Device device) const {
   const Placed& placed = batch_.modules()[program];
   const auto state = placed.module.interface.state_bits.find(device);
   if (state == placed.module.interface.state_bits.end()) return 0;
-  return static_cast<std::int16_t>(take(model_->state, placed.state + state->second, width_of(device)));
+  return static_cast<std::int16_t>(
+      take(model_->state, placed.state + state->second, width_of(device)));
 }
 
 bool Bench::output(std::size_t program, std::size_t which) const {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A proof by exhaustion: programs of bits without memories of their own, in every state of their
-// devices and with all inputs, against one scan of the reference. The state is all that such a program
-// has, so equal here is equal always.
+// devices and with all inputs, against one scan of the reference. The state is all that such a
+// program has, so equal here is equal always.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

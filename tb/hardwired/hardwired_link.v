@@ -29,7 +29,8 @@ module hardwired_link #(
 );
 
   localparam integer GROUPS = (STATE + 15) / 16;
-  localparam integer PADDED = 16 * GROUPS;
+  localparam integer BLOCKS = (GROUPS + 15) / 16;  // of 16 groups
+  localparam integer PADDED = 256 * BLOCKS;
   localparam integer CONTROL = 33;  // 32 write, 31:16 address, 15:0 data
 
   reg sdi_q;
@@ -53,15 +54,20 @@ module hardwired_link #(
 
   generate
     if (HOST != 0) begin : gen_host
-      reg  [CONTROL-1:0] control_q;
-      reg  [CONTROL-1:0] command_q;
-      reg                write_q;
-      reg  [       15:0] read_q;
-      reg  [  STATE-1:0] seen_q;
-      wire [ PADDED-1:0] seen = {{PADDED - STATE{1'b0}}, seen_q};
-      wire [ PADDED-1:0] now = {{PADDED - STATE{1'b0}}, state_i};
-      wire [ PADDED-1:0] next;
+      reg [CONTROL-1:0] control_q;
+      reg [CONTROL-1:0] command_q;
+      reg write_q;
+      // A read takes two clocks: one group of each block, then one of these.
+      reg [16*BLOCKS-1:0] block_q;
+      reg [15:0] read_q;
+      wire [PADDED-1:0] now = {{PADDED - STATE{1'b0}}, state_i};
+      wire [16*GROUPS-1:0] next;
       genvar g;
+      genvar b;
+      for (b = 0; b < BLOCKS; b = b + 1) begin : gen_block
+        wire [255:0] here = now[256*b+:256];
+        always @(posedge clk_i) block_q[16*b+:16] <= here[{command_q[19:16], 4'b0}+:16];
+      end
       for (g = 0; g < GROUPS; g = g + 1) begin : gen_group
         assign next[16*g+:16] = command_q[31:16] == g ? command_q[15:0] : now[16*g+:16];
       end
@@ -69,8 +75,7 @@ module hardwired_link #(
         if (shift_q) control_q <= {control_q[CONTROL-2:0], shift_in_q[INPUTS-1]};
         if (frame_q) command_q <= control_q;
         write_q <= frame_q & control_q[CONTROL-1];
-        if (!busy_i) seen_q <= state_i;
-        read_q <= seen[{command_q[27:16], 4'b0}+:16];
+        read_q <= block_q[{command_q[31:20], 4'b0}+:16];
       end
       assign state_load_o = write_q & ~busy_i;
       assign state_o = next[STATE-1:0];

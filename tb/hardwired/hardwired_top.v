@@ -55,7 +55,7 @@ module hardwired_top #(
       .state_i(state_out)
   );
 
-  rung_program program (
+  rung_program wired (
       .clk_i(clk_i),
       .rst_i(~rst_n),
       .start_i(rst_n & ~state_load),

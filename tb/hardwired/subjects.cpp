@@ -22,11 +22,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t kLists = 100;  // of all instructions
+constexpr std::uint64_t kLists = 100;      // of all instructions
 constexpr std::uint64_t kBasicLists = 10;  // of the paper's
 constexpr std::uint64_t kLdmicro = 40;
 constexpr int kCorpusScans = 40;
-// The largest programs that nobody here wrote take the model's compiler longer than all else together.
+// The largest programs that nobody here wrote take the model's compiler longer than all else
+// together.
 constexpr std::size_t kMostInstructions = 1500;
 
 // A checked list with the stimulus of `seed`.
@@ -65,7 +66,8 @@ void add_random(std::vector<Subject>& subjects) {
   for (std::uint64_t seed = 0; seed < kLists; ++seed) {
     auto one = make_case(seed, text_of(seed, {}), messages);
     if (!one) throw std::runtime_error(messages);
-    subjects.push_back({fmt::format("random-{}", seed), fmt::format("list {}", seed), std::move(*one)});
+    subjects.push_back(
+        {fmt::format("random-{}", seed), fmt::format("list {}", seed), std::move(*one)});
   }
   for (std::uint64_t seed = 0; seed < kBasicLists; ++seed) {
     RandomProgramOptions options;
@@ -77,7 +79,8 @@ void add_random(std::vector<Subject>& subjects) {
   for (std::uint64_t seed = 0; seed < kLdmicro; ++seed) {
     auto one = make_ldmicro_case(seed, ldmicro_text_of(seed), messages);
     if (!one) throw std::runtime_error(messages);
-    subjects.push_back({fmt::format("ldmicro-{}", seed), fmt::format("LDmicro {}", seed), std::move(*one)});
+    subjects.push_back(
+        {fmt::format("ldmicro-{}", seed), fmt::format("LDmicro {}", seed), std::move(*one)});
   }
 }
 
@@ -90,7 +93,8 @@ void add_lists(std::vector<Subject>& subjects, const fs::path& folder, const std
     const auto source = read_text(path.string(), diagnostics);
     auto program = source ? parse_melsec(*source, std::nullopt, diagnostics) : std::nullopt;
     if (!program || program->instructions.size() > kMostInstructions) continue;
-    subjects.push_back(with_stimulus(prefix + path.filename().string(), std::move(*program), 7, kCorpusScans));
+    subjects.push_back(
+        with_stimulus(prefix + path.filename().string(), std::move(*program), 7, kCorpusScans));
   }
 }
 

@@ -50,12 +50,13 @@ std::optional<std::string> translate(const Program& program, const Options& opti
   if (options.target == "verilog") return to_verilog(program, options, diagnostics);
   if (options.target == "ld" && is_ld) return to_ld(program, diagnostics);
   if (options.target == "il" && !is_ld) return to_list(program);
-  diagnostics.error(options.program, {},
-                    is_ld ? "an LDmicro program cannot be written as an instruction list: lists "
-                            "lack elements that it has"
-                          : "an instruction list cannot be written as an LDmicro program: LDmicro "
-                            "lacks instructions that lists have",
-                    "translate it to c, bytecode or verilog, or to " + std::string(is_ld ? "ld" : "il"));
+  diagnostics.error(
+      options.program, {},
+      is_ld ? "an LDmicro program cannot be written as an instruction list: lists "
+              "lack elements that it has"
+            : "an instruction list cannot be written as an LDmicro program: LDmicro "
+              "lacks instructions that lists have",
+      "translate it to c, bytecode or verilog, or to " + std::string(is_ld ? "ld" : "il"));
   return std::nullopt;
 }
 

@@ -81,12 +81,6 @@ TEST(Verilog, PortsAreTheDevices) {
   EXPECT_NE(module.text.find("output wire [51:0] state_o"), std::string::npos);
 }
 
-// An input that the program writes is one of its devices: the pin would take it back.
-TEST(Verilog, AnInputThatIsWrittenIsNoPin) {
-  const Module module = module_of("LD M0\nMOV K5 K1X0\nLD X4\nOUT Y0\nEND\n");
-  EXPECT_EQ(module.interface.inputs, (std::vector<Device>{{DeviceKind::X, 4}}));
-}
-
 TEST(Verilog, IndexedOperandsOverVeryManyDevicesAreRefused) {
   std::string text = "LD X0\nMOV K1 D7999\nMOV K1 D0\n";
   for (int i = 0; i < 40; ++i) text += "MOV D0Z0 D1Z1\n";

@@ -128,9 +128,9 @@ def hardwired_rows(notes: list[str]) -> list[Row]:
             notes.append(f"{title}: it is not in reports/hardwired.json for the ECP5-85F")
             continue
         steps = report["change"][program]
-        change = sum(step["wall_s"] for step in steps.values() if isinstance(step, dict))
+        change = sum(step["cpu_s"] for step in steps.values() if isinstance(step, dict))
         rows.append(Row(title, found[0]["scan_ns"], found[0]["scan_ns"], found[0]["logic_cells"], change,
-                        "translate, synthesis, place and route, pack; then a new bitstream"))
+                        "translate, synthesis, place and route, pack (seconds of a processor); then a new bitstream"))
     return rows
 
 

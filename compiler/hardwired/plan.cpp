@@ -60,7 +60,7 @@ bool is_bit_action(Op op) {
   return core::is_coil(op) || op == Op::LoadBit || op == Op::SetBit || op == Op::RstBit;
 }
 
-// Calls `each` with every value that a node's tree reads directly under it, or its nodes.
+// Calls `value` with what a leaf reads, `inner` with the nodes right under any other node.
 template <typename Values, typename Nodes>
 void children(const Node& node, Values&& value, Nodes&& inner) {
   if (node.kind == NodeKind::Leaf) return value(node.device, node.version);

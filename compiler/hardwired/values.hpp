@@ -28,7 +28,7 @@ class Values {
 
   // The wires that action `i` needs, and those that it drives, one a line.
   std::string action(std::size_t i);
-  // What action `i` reads from the outside of its own value, for its unit: operands as one number.
+  // Operand 0 or 1 that action `i` gives to its unit, 16 or 32 bits wide.
   std::string unit_operand(std::size_t i, int which);
   // Whether a division by zero is executed in action `i`, in its clock.
   std::string zero_division(std::size_t i);

@@ -84,6 +84,25 @@ void add_random(std::vector<Subject>& subjects) {
   }
 }
 
+// What the short ones of the random lists have little of: indexed operands, whose windows make a
+// program long, and 32 bits.
+constexpr const char* kDirected[] = {
+    "LD X0\nOUT M1Z0\nLD M2Z1\nOR X1\nOUT Y0\nLD X2\nSET M3Z0\nLD X3\nRST M0Z1\n"
+    "LDI M4Z0\nOUT Y1\nLD X1\nMOV K3 Z0\nLDI X1\nMOV K200 Z0\nLD X4\nADD Z1 K1 Z1\nEND\n",
+    "LD X0\nADD D1Z0 D2 D3Z1\nLD X1\nMOV D0 D4Z0\nLD> D2Z1 K5\nOUT Y0\nLD X2\nMOV K-1 Z0\n"
+    "LDI X2\nMOV K2 Z0\nLD X3\nMOV D0 Z1\nEND\n",
+    "LD X0\nDMUL D0 D2 D4\nDDIV D4 D0 D8\nLD X1\nDADD D0 D8 D2\nDSUB D2 D10 D0\nLD X2\nMUL D0 D1 "
+    "D6\n"
+    "DIV D6 D2 D10\nLDD> D0 D4\nOUT Y0\nLD X3\nROL D0 K3\nROR D2 K5\nWXOR D0 D2 D1\nEND\n"};
+
+void add_directed(std::vector<Subject>& subjects) {
+  for (std::size_t i = 0; i < std::size(kDirected); ++i) {
+    const std::string name = fmt::format("directed-{}", i);
+    subjects.push_back(with_stimulus(name, list(kDirected[i], name, Dialect::Fx), i, 60));
+    subjects.back().what.text = kDirected[i];
+  }
+}
+
 // Lists of a folder that the front end takes.
 void add_lists(std::vector<Subject>& subjects, const fs::path& folder, const std::string& prefix) {
   for (const fs::path& path : files_of(folder)) {
@@ -150,7 +169,11 @@ std::vector<Subject> all_subjects() {
   return subjects;
 }
 
-std::vector<Subject> agree_subjects() { return short_ones(all_subjects()); }
+std::vector<Subject> agree_subjects() {
+  std::vector<Subject> subjects = short_ones(all_subjects());
+  add_directed(subjects);
+  return subjects;
+}
 
 std::vector<Subject> exhaustive_subjects() {
   constexpr std::uint64_t kPrograms = 60;

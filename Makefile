@@ -169,6 +169,23 @@ flow-report: ## the paper's experiment with 1 to 100 flow tasks: reports/flow.md
 programs: build ## real lists and LDmicro programs: which run, what each instruction costs: reports/programs.md
 	@$(PYTHON) scripts/programs_report.py
 
+.PHONY: hardwired
+hardwired: build ## programs as hard-wired logic: checked, area, clock, time of a change: reports/hardwired.md
+	@scripts/setup.sh flow
+	$(call cmake_build,build/release,$(RELEASE),--target hardwired_all)
+	@build/release/tb/hardwired/hardwired_all
+	@$(VENV)/python scripts/hardwired.py --jobs $(JOBS)
+
+.PHONY: cells
+cells: build ## the processors on standard cells: gates, area, clock: reports/cells.md
+	@scripts/setup.sh cells
+	@$(VENV)/python scripts/cells.py
+
+.PHONY: tradeoff
+tradeoff: build ## all of it on one chart, from the other reports: reports/tradeoff.md
+	@scripts/setup.sh chart
+	@build/chart/bin/python scripts/tradeoff.py
+
 .PHONY: report
 report: ## all reports, in order: steps, programs, area and clock, boards, bench; then reports/index.html
 	@scripts/setup.sh bench
@@ -189,6 +206,6 @@ pictures: build ## the pictures of rung view that README.md shows: reports/view-
 	@RUNG=build/bin/rung RUNG_BROWSER=$(CURDIR)/build/browser node tb/view/pictures.mjs reports
 
 .PHONY: clean
-clean: ## remove everything built but what was downloaded: build/venv, build/clients and build/browser
-	@if [ -d build ]; then \
-	  find build -mindepth 1 -maxdepth 1 ! -name venv ! -name clients ! -name browser -exec rm -rf {} +; fi
+clean: ## remove everything built but what was downloaded: build/venv, clients, browser and chart
+	@if [ -d build ]; then find build -mindepth 1 -maxdepth 1 \
+	  ! -name venv ! -name clients ! -name browser ! -name chart -exec rm -rf {} +; fi

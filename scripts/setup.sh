@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Install what a group of make targets needs, once, and say what is done.
 #
-# usage: setup.sh build|test|lint|flow|prog|bench|fuzz
+# usage: setup.sh build|test|lint|flow|prog|bench|fuzz|cells|chart
 #
 #   build  C++ compiler, CMake, Verilator, the C++ libraries; AVR compiler and simulator, which
 #          the tests take                                             (make build, sim, test)
@@ -13,11 +13,13 @@
 #   prog   flow, and the libraries of openFPGALoader, which is in build/venv too   (make prog)
 #   bench  build, flow, and the RISC-V compiler for the yardsticks     (make bench, report)
 #   fuzz   build, and clang with libFuzzer                             (make fuzz)
+#   cells  build, flow, a standard-cell library and OpenSTA             (make cells)
+#   chart  build, the RISC-V compiler, matplotlib in build/chart        (make tradeoff)
 #
 # Debian packages are installed as root or through sudo, only those that are missing. The Python
-# environments are build/venv, with the versions of requirements.txt, and build/clients, with those of
-# tb/clients/requirements.txt; build/browser has the npm package of tb/view/package-lock.json. Their
-# stamps hold the checksums.
+# environments are build/venv, with the versions of requirements.txt, build/clients, with those of
+# tb/clients/requirements.txt, and build/chart, with those of scripts/chart/requirements.txt;
+# build/browser has the npm package of tb/view/package-lock.json. Their stamps hold the checksums.
 # Quiet and quick when nothing is missing. Logs: build/logs/setup-*.log. Exit 1 if a step fails.
 set -euo pipefail
 
@@ -135,7 +137,7 @@ browser() {
   printf '%s\n' "$want" >"$directory/.requirements"
 }
 
-[ $# = 1 ] || fail "usage: setup.sh build|test|lint|flow|prog|bench|fuzz"
+[ $# = 1 ] || fail "usage: setup.sh build|test|lint|flow|prog|bench|fuzz|cells|chart"
 case $1 in
   build) debian "${build_packages[@]}" ;;
   test)
@@ -160,5 +162,13 @@ case $1 in
     python_environment
     ;;
   fuzz) debian "${build_packages[@]}" clang libclang-rt-14-dev ;;
-  *) fail "unknown group '$1': build, test, lint, flow, prog, bench or fuzz" ;;
+  cells)
+    debian "${build_packages[@]}" "${venv_packages[@]}" qflow-tech-osu018 opensta
+    python_environment
+    ;;
+  chart)
+    debian "${build_packages[@]}" "${venv_packages[@]}" gcc-riscv64-unknown-elf
+    environment "$build/chart" "$root/scripts/chart/requirements.txt" "matplotlib" true
+    ;;
+  *) fail "unknown group '$1': build, test, lint, flow, prog, bench, fuzz, cells or chart" ;;
 esac

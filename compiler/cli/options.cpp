@@ -93,11 +93,16 @@ void define_translate(CLI::App& app, Options& options) {
   command
       ->add_option("--to", options.target,
                    "c: ANSI C; bytecode: for the interpreter of compiler/bytecode; il: normalised "
-                   "instruction list; ld: LDmicro program")
+                   "instruction list; ld: LDmicro program; verilog: hard-wired logic")
       ->required()
-      ->check(CLI::IsMember({"c", "bytecode", "il", "ld"}));
+      ->check(CLI::IsMember({"c", "bytecode", "il", "ld", "verilog"}));
   command->add_option("-o,--output", options.output, "file; else standard output");
   command->add_flag("--listing", options.listing, "print byte code as text");
+  command
+      ->add_option("--path-ns", options.path_ns,
+                   "verilog: of a program with words, the longest path of a clock, as estimated "
+                   "for an ECP5; default 8")
+      ->check(CLI::Range(1.0, 1000.0));
 }
 
 }  // namespace

@@ -65,6 +65,7 @@ struct Options {
   std::string golden;
   // translate
   std::string target;
+  std::string path_ns;
   // export
   std::string symbols;
   // the commands that talk to a controller

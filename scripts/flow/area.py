@@ -23,9 +23,10 @@ def cells(netlist: Path, top: str) -> dict[str, str]:
     return {name: cell["type"] for name, cell in modules[top]["cells"].items()}
 
 
-def measure(design: Design, seeds: list[int], jobs: int) -> dict[str, Any]:
-    """Synthesise, place and route with every seed, at most `jobs` at once. Clocks in MHz."""
-    netlist = synthesis.synthesise(design)
+def measure(design: Design, seeds: list[int], jobs: int, netlist: Path | None = None) -> dict[str, Any]:
+    """Synthesise, unless the netlist is there, place and route with every seed, at most `jobs` at once.
+    Clocks in MHz."""
+    netlist = netlist or synthesis.synthesise(design)
     with ThreadPoolExecutor(max_workers=jobs) as pool:
         runs = list(pool.map(lambda seed: place_route.place_and_route(design, netlist, seed), seeds))
     runs.sort(key=lambda run: run.fmax_mhz)

@@ -100,6 +100,19 @@ TEST_F(Cli, ByteCodeIsAFileOrAListing) {
   EXPECT_EQ(rung("translate " + program + " --to il --listing").code, 2);
 }
 
+TEST_F(Cli, VerilogIsAModuleWithItsPortsInTheHead) {
+  const std::string program = file("motor.il", kMotor);
+  const Result r = rung("translate " + program + " --to verilog");
+  EXPECT_EQ(r.code, 0);
+  EXPECT_EQ(r.err, "");
+  EXPECT_NE(r.out.find("The program motor.il as logic"), std::string::npos) << r.out;
+  EXPECT_NE(r.out.find("\nmodule rung_program ("), std::string::npos) << r.out;
+  EXPECT_EQ(rung("translate " + program + " --to verilog --path-ns 6").out, r.out)
+      << "a program of bits is one clock whatever its paths are";
+  EXPECT_EQ(rung("translate " + program + " --to verilog --path-ns 0").code, 2);
+  EXPECT_EQ(rung("translate " + program + " --to c --path-ns 6").code, 2);
+}
+
 // Every kind of wrong input: exit 1, a message at its place, and no output file.
 TEST_F(Cli, WrongInputIsRefusedAndLeavesNothing) {
   struct Case {

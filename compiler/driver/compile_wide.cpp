@@ -104,7 +104,7 @@ class Maker {
     image::describe_source(source_, image);
     image.statistics.bit_devices = count(code, false);
     image.statistics.word_devices = count(code, true);
-    return {std::move(image), std::nullopt};
+    return {std::move(image), std::nullopt, {}};
   }
 
  private:

@@ -67,7 +67,7 @@ sim: build ## run a program on the three processors, checked against its golden 
 .PHONY: test
 test: ## all tests, built with sanitizers
 	@scripts/setup.sh test
-	$(call cmake_build,build/test,-DCMAKE_BUILD_TYPE=RelWithDebInfo -DRUNG_SANITIZE=ON)
+	$(call cmake_build,build/test,-DCMAKE_BUILD_TYPE=RelWithDebInfo -DRUNG_SANITIZE=ON -DRUNG_UNITY=ON)
 	@$(CTEST) --test-dir build/test -j $(JOBS) --output-on-failure --no-tests=error \
 	  --output-log build/logs/test.log
 

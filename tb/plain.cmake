@@ -14,19 +14,7 @@ target_compile_definitions(rung_options_plain INTERFACE _GLIBCXX_ASSERTIONS)
 target_include_directories(rung_options_plain INTERFACE
   ${RUNG_ROOT}/compiler ${RUNG_GENERATED})
 
-# The sources of a library are compiled as one, which reads the headers once: a third of the time. Not
-# these, which have names of their own that another source of their library has too: add to them what
-# the compiler calls redefined or ambiguous.
-set(RUNG_ALONE rung_lower)
-foreach(source
-    compiler/source/write_file compiler/image/frame compiler/trace/read_trace compiler/melsec/unsupported
-    compiler/reference/ldmicro_timers compiler/flowchart/logic tb/agree/ldmicro_case
-    tb/programs/ldmicro_elements tb/programs/ldmicro_stimulus tb/programs/melsec_operands
-    tb/programs/melsec_stimulus tb/programs/random_ldmicro tb/programs/random_melsec
-    tb/programs/shrink_ldmicro)
-  set_source_files_properties(${CMAKE_CURRENT_SOURCE_DIR}/../${source}.cpp PROPERTIES
-                              SKIP_UNITY_BUILD_INCLUSION ON)
-endforeach()
+rung_alone(${CMAKE_CURRENT_SOURCE_DIR})
 
 # What to link where `library` is linked: its plain twin if it is one of ours.
 function(rung_plain_of library result)
@@ -58,9 +46,7 @@ function(rung_plain target)
       set_target_properties(${target}_plain PROPERTIES ${property} "${value}")
     endif()
   endforeach()
-  if(NOT target IN_LIST RUNG_ALONE)
-    set_target_properties(${target}_plain PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
-  endif()
+  rung_unity(${target}_plain)
   get_target_property(libraries ${target} LINK_LIBRARIES)
   foreach(library ${libraries})
     rung_plain_of(${library} twin)

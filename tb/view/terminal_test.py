@@ -2,6 +2,7 @@
 """`rung view --text` in a real terminal, tmux: what its keys do, and what a user then sees."""
 from __future__ import annotations
 
+import itertools
 import os
 import subprocess
 import time
@@ -11,13 +12,14 @@ from pathlib import Path
 RUNG = os.environ["RUNG"]
 PROGRAM = Path(__file__).resolve().parent / "programs" / "motor.il"
 SECONDS = 20
+NUMBERS = itertools.count()  # a server that is ending still has its socket: each has one of its own
 
 
 class Terminal:
     """A tmux server of its own, with one window that runs `rung view --text`."""
 
     def __init__(self, *arguments: str) -> None:
-        self.socket = f"rung-{os.getpid()}-{id(self)}"
+        self.socket = f"rung-{os.getpid()}-{next(NUMBERS)}"
         self.tmux("new-session", "-d", "-x", "100", "-y", "30", " ".join([RUNG, "view", "--text", *arguments]) + "; echo ended $?; sleep 60")
 
     def __enter__(self) -> Terminal:

@@ -11,13 +11,20 @@ namespace rung::cli {
 namespace {
 
 // The last instruction that wrote the device in this scan, for the message.
-std::string writer_of(const tb::Machine& machine, const std::string& device) {
+std::string writer_of(const tb::AnyMachine& machine, const std::string& device) {
   const auto& writes = machine.writes();
   for (auto write = writes.rbegin(); write != writes.rend(); ++write) {
     if (machine.image().devices[write->device].name != device) continue;
-    return "  processor: " + machine.describe(write->step, write->slot) + "\n";
+    return "  processor: " + machine.describe(*write) + "\n";
   }
   return {};
+}
+
+std::string name_of(const image::Image& image) {
+  std::string name = fmt::format("MPU{}", static_cast<int>(image.mpu));
+  if (image.wide) name += fmt::format(" with {} slots", image.wide->slots);
+  if (image.wide && image.wide->merged) name += ", by the values after each scan";
+  return name;
 }
 
 // What the run must give: a golden trace of ours, or one of LDmicro's simulator.
@@ -46,21 +53,22 @@ std::optional<Golden> read_golden(const Options& options, Diagnostics& diagnosti
 
 // Runs one scan a golden scan with `next`; kDifferent at the first difference.
 template <typename Next, typename Explain>
-int compare(const Options& options, const Golden& golden, const Stimulus& stimulus, bool clocks,
-            Next&& next, Explain&& explain) {
-  TraceComparison comparison(clocks);
+int compare(const Options& options, const Golden& golden, const Stimulus& stimulus,
+            const TraceHeader& engine, Next&& next, Explain&& explain) {
+  TraceComparison comparison(golden.header.same_processor(engine),
+                             golden.header.merged || engine.merged);
   for (std::size_t k = 0; k < golden.scans.size(); ++k) {
     const TraceScan& expected = golden.scans[k];
     const TraceScan got = next(stimulus.events(k));
     const auto difference =
         golden.ldmicro ? compare_shown(expected, got) : comparison.next(expected, got);
     if (!difference) continue;
-    fmt::print(stderr, "{}:{}:1: {}\n{}  replay: rung check {} --golden {}{}{}{} --config {}\n",
+    fmt::print(stderr, "{}:{}:1: {}\n{}  replay: rung check {} --golden {}{}{}{}{} --config {}\n",
                options.golden, expected.line, describe(*difference), explain(difference->device),
                options.program, options.golden, options.mpu.empty() ? "" : " --mpu " + options.mpu,
                options.paper ? " --paper" : "",
                options.stimulus.empty() ? "" : " --stimulus " + options.stimulus,
-               config_of(options).name);
+               wide_options(options), config_of(options).name);
     return kDifferent;
   }
   return kDone;
@@ -100,7 +108,7 @@ int check_command(const Options& given) {
   if (!input->image && mpu_of(options) == 0) {
     ReferenceRun run(*input->program, true, tick_us);
     code = compare(
-        options, *golden, *stimulus, false, [&](auto events) { return run.scan(events); },
+        options, *golden, *stimulus, run.header(), [&](auto events) { return run.scan(events); },
         [](const std::string&) { return std::string(); });
   } else {
     if (!input->image) {
@@ -109,13 +117,11 @@ int check_command(const Options& given) {
       input->image = std::move(compiled->image);
     }
     const auto target = make_target(std::move(*input->image), tick_us);
-    const int mpu = static_cast<int>(target->image.mpu);
-    what = fmt::format("MPU{}", mpu);
-    tb::MachineRun run(*target->machine, true);
+    what = name_of(target->image);
+    tb::MachineRun run(target->machine(), true);
     code = compare(
-        options, *golden, *stimulus, golden->header.mpu == mpu,
-        [&](auto events) { return run.scan(events); },
-        [&](const std::string& device) { return writer_of(*target->machine, device); });
+        options, *golden, *stimulus, run.header(), [&](auto events) { return run.scan(events); },
+        [&](const std::string& device) { return writer_of(target->machine(), device); });
   }
   if (code != kDone) return code;
   if (golden->stop) {

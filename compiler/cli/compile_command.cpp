@@ -164,12 +164,6 @@ int compile_command(const Options& given) {
   }
   const auto compiled = compile_input(*input, options, diagnostics);
   if (!compiled) return report(diagnostics);
-  if (compiled->image.wide && (map || options.bindings || !options.load_file.empty())) {
-    throw UsageError("an I/O map is for a controller, which MPU4 does not have yet");
-  }
-  if (compiled->image.wide && options.prove) {
-    throw UsageError("--prove is for MPU1, MPU2 and MPU3: MPU4's images are checked by verify() only");
-  }
   std::optional<prove::Proof> proof;
   if (options.prove) {
     proof = prove::prove(compiled->image, compiled->meanings);

@@ -88,11 +88,20 @@ void define_common(CLI::App& command, Options& options) {
 
 void define_mpu(CLI::App& command, Options& options, bool with_reference) {
   std::vector<std::string> names{"1", "2", "3"};
-  // So far MPU4 is compiled for only: it has no controller around it yet.
-  if (command.get_name() == "compile") names.emplace_back("4");
+  // MPU4 has no controller around it, and `rung view` no picture of it.
+  const std::string& name = command.get_name();
+  const bool wide = name == "compile" || name == "run" || name == "check";
+  if (wide) names.emplace_back("4");
   if (with_reference) names.emplace_back("reference");
   command.add_option("--mpu", options.mpu, "processor; if not given the I/O map's board's, or 3")
       ->check(CLI::IsMember(names));
+  if (!wide) return;
+  command
+      .add_option("--slots", options.slots,
+                  fmt::format("slots of MPU4; {} if not given", kDefaultSlots))
+      ->check(CLI::IsMember({4, 8, 16}));
+  command.add_flag("--no-merge", options.no_merge,
+                   "MPU4: make every write of the program, seen or not (compiler/values)");
 }
 
 void define_line(CLI::App& command, Options& options, bool required) {

@@ -80,6 +80,8 @@ std::optional<Dialect> known_dialect(const Options& options, std::optional<Diale
   return asked ? asked : Dialect::Ldmicro;
 }
 
+constexpr const char* kNoMap = "an I/O map is for a controller, which MPU4 does not have yet";
+
 // An image is for one processor and was compiled once: what would change that is wrong usage.
 void check_image_options(const Options& options, const image::Image& image) {
   const std::optional<int> mpu = mpu_of(options);
@@ -88,8 +90,40 @@ void check_image_options(const Options& options, const image::Image& image) {
                      std::to_string(static_cast<int>(image.mpu)));
   }
   if (options.paper) throw UsageError("--paper is for compiling; this is an image");
+  if (image.wide && options.command != Command::Run && options.command != Command::Check) {
+    throw UsageError(
+        "an image for MPU4 is for rung run and rung check; there is no controller with MPU4 yet");
+  }
+  if (!image.wide && (options.slots || options.no_merge)) {
+    throw UsageError("--slots and --no-merge are for MPU4; this image is for MPU" +
+                     std::to_string(static_cast<int>(image.mpu)));
+  }
+  if (image.wide && options.slots.value_or(image.wide->slots) != image.wide->slots) {
+    throw UsageError("the image was compiled for " + std::to_string(image.wide->slots) + " slots");
+  }
+  if (image.wide && !options.io.empty()) throw UsageError(kNoMap);
+  if (image.wide && options.no_merge && image.wide->merged) {
+    throw UsageError("the image was compiled with merging; compile it with --no-merge");
+  }
   if (!options.dialect.empty() && options.dialect != image.dialect) {
     throw UsageError("the image was compiled from dialect " + image.dialect);
+  }
+}
+
+// What MPU4 does not have.
+void check_wide_options(const Options& options) {
+  if (options.mpu != "4") return;
+  if (options.paper) throw UsageError("--paper is for MPU1 to MPU3");
+  if (is_flow_file(options.program)) throw UsageError("flow tasks are for MPU1 to MPU3");
+  if (!options.io.empty()) {
+    throw UsageError(kNoMap);
+  }
+  if (options.bindings || !options.load_file.empty()) {
+    throw UsageError("--bindings and --load-file are for controllers, of which MPU4 has none yet");
+  }
+  if (options.prove) {
+    throw UsageError(
+        "--prove is for MPU1, MPU2 and MPU3: MPU4's images are checked by verify() only");
   }
 }
 
@@ -102,7 +136,9 @@ int report(const Diagnostics& diagnostics) {
 
 std::optional<Input> read_input(const Options& options, bool images,
                                 std::optional<Dialect> fallback, Diagnostics& diagnostics) {
-  static_cast<void>(dialect_of(options));  // wrong usage before a file that cannot be read
+  // Wrong usage before a file that cannot be read.
+  static_cast<void>(dialect_of(options));
+  check_wide_options(options);
   const auto bytes = read_bytes(options.program, diagnostics);
   if (!bytes) return std::nullopt;
   Input input;
@@ -112,6 +148,9 @@ std::optional<Input> read_input(const Options& options, bool images,
     check_image_options(options, *input.image);
     input.dialect = *find_dialect(input.image->dialect);
     return input;
+  }
+  if (options.mpu != "4" && (options.slots || options.no_merge)) {
+    throw UsageError("--slots and --no-merge are for MPU4: --mpu 4");
   }
   if (is_flow_file(options.program)) {
     input.flow = parse_flow_file(*bytes, options, diagnostics);
@@ -145,12 +184,8 @@ std::optional<Compiled> compile_input(const Input& input, const Options& options
   how.paper = options.paper;
   how.config = &config_of(options);
   how.search.seed = options.seed;
-  how.slots = options.slots;
+  how.slots = options.slots.value_or(kDefaultSlots);
   how.merge = !options.no_merge;
-  if (how.mpu == isa::Mpu::Mpu4) {
-    if (options.paper) throw UsageError("--paper is for MPU1 to MPU3");
-    if (input.flow) throw UsageError("flow tasks are for MPU1 to MPU3");
-  }
   return input.flow ? compile_flow(*input.flow, how, diagnostics)
                     : compile(*input.program, how, diagnostics);
 }
@@ -179,9 +214,7 @@ std::optional<Stimulus> read_stimulus(const std::string& file, const DeviceNames
 std::unique_ptr<Target> make_target(image::Image image, std::int64_t tick_us) {
   auto target = std::make_unique<Target>();
   target->image = std::move(image);
-  target->processor =
-      tb::make_processor(target->image.mpu, *isa::find_config(target->image.config));
-  target->machine = std::make_unique<tb::Machine>(target->image, *target->processor, tick_us);
+  target->loaded = tb::load_machine(target->image, tick_us);
   return target;
 }
 

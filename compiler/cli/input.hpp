@@ -10,8 +10,7 @@
 #include "cli/options.hpp"
 #include "driver/compile.hpp"
 #include "flowchart/flowchart.hpp"
-#include "harness/processor.hpp"
-#include "lockstep/machine.hpp"
+#include "lockstep/any_machine.hpp"
 #include "trace/stimulus.hpp"
 
 namespace rung::cli {
@@ -50,11 +49,11 @@ std::optional<Stimulus> read_stimulus(const std::string& file, const DeviceNames
 // is wrong usage.
 std::optional<std::int64_t> tick_of(const Options& options, const Input& input);
 
-// The processor and the loaded image, in the order in which they must live.
+// The image and its processor, in the order in which they must live.
 struct Target {
   image::Image image;
-  std::unique_ptr<tb::Processor> processor;
-  std::unique_ptr<tb::Machine> machine;
+  tb::LoadedMachine loaded;
+  tb::AnyMachine& machine() { return *loaded.machine; }
 };
 // `tick_us` is the time from scan to scan.
 std::unique_ptr<Target> make_target(image::Image image, std::int64_t tick_us);

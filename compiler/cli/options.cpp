@@ -20,11 +20,6 @@ void define_compile(CLI::App& app, Options& options) {
       ->required();
   define_common(*command, options);
   define_mpu(*command, options, false);
-  command->add_option("--slots", options.slots, "slots of MPU4")
-      ->check(CLI::IsMember({4, 8, 16}))
-      ->capture_default_str();
-  command->add_flag("--no-merge", options.no_merge,
-                    "MPU4: make every write of the program, seen or not (compiler/values)");
   command->add_flag("--paper", options.paper, "only the paper's instruction forms and step counts");
   command->add_option("-o,--output", options.output, "write the image there; - is standard output");
   CLI::Option* json = command->add_flag("--json", options.json, "print sizes and counts as JSON");
@@ -124,6 +119,11 @@ const isa::Config& config_of(const Options& options) {
 std::optional<int> mpu_of(const Options& options) {
   if (options.mpu.empty()) return std::nullopt;
   return options.mpu == "reference" ? 0 : options.mpu[0] - '0';
+}
+
+std::string wide_options(const Options& options) {
+  return (options.slots ? fmt::format(" --slots {}", *options.slots) : "") +
+         (options.no_merge ? " --no-merge" : "");
 }
 
 std::optional<std::int64_t> tick_of(const Options& options) {

@@ -34,20 +34,22 @@ enum class Command {
   View
 };
 
+inline constexpr int kDefaultSlots = 8;
+
 struct Options {
   Command command = Command::Compile;
   std::string program;
-  std::string dialect;   // empty: the program decides
-  std::string config;    // empty: the I/O map's board's, or ecp5
-  std::string comments;  // a file with the names of devices
-  std::string io;        // a file: the I/O map
-  std::string mpu;       // empty: the image's, or default_mpu
-  int default_mpu = 3;   // what a program is compiled for if `mpu` does not say it
+  std::string dialect;       // empty: the program decides
+  std::string config;        // empty: the I/O map's board's, or ecp5
+  std::string comments;      // a file with the names of devices
+  std::string io;            // a file: the I/O map
+  std::string mpu;           // empty: the image's, or default_mpu
+  int default_mpu = 3;       // what a program is compiled for if `mpu` does not say it
+  std::optional<int> slots;  // of MPU4; kDefaultSlots if not given
+  bool no_merge = false;     // MPU4
   bool paper = false;
   // compile
   std::string output;
-  int slots = 8;  // of MPU4
-  bool no_merge = false;
   bool json = false;
   bool listing = false;
   std::string dump;
@@ -107,6 +109,8 @@ std::optional<Dialect> dialect_of(const Options& options);
 const isa::Config& config_of(const Options& options);
 // 1 to 4, 0 for the reference; nothing if --mpu was not given.
 std::optional<int> mpu_of(const Options& options);
+// The options of MPU4 as they were given, for a command that replays a run.
+std::string wide_options(const Options& options);
 // Microseconds of --tick, if it was given.
 std::optional<std::int64_t> tick_of(const Options& options);
 

@@ -47,7 +47,7 @@ std::string run_rounds(const flowchart::Flowchart& chart, const Options& options
 }
 
 // An image has no source to compare with: the processor alone.
-void run_image(tb::Machine& machine, bool state, Session& session) {
+void run_image(tb::AnyMachine& machine, bool state, Session& session) {
   tb::MachineRun run(machine, state);
   session.trace.header = run.header();
   for (std::uint64_t k = 0; k < session.scans; ++k) {
@@ -64,11 +64,12 @@ std::string replay_command(const Options& options, std::int64_t scan) {
   if (options.paper) command += " --paper";
   if (!options.stimulus.empty()) command += " --stimulus " + options.stimulus;
   if (!options.tick.empty()) command += " --tick " + options.tick;
+  command += wide_options(options);
   return command;
 }
 
 // The processor with the reference beside it, to the first difference.
-int run_lockstep(const Program& program, tb::Machine& machine, const Options& options,
+int run_lockstep(const Program& program, tb::AnyMachine& machine, const Options& options,
                  Session& session) {
   tb::Lockstep lockstep(program, machine);
   tb::MachineRun run(machine, options.state);
@@ -126,7 +127,7 @@ int run_command(const Options& given) {
   std::string what;
   if (input->image) {
     const auto target = make_target(std::move(*input->image), session.tick_us);
-    run_image(*target->machine, options.state, session);
+    run_image(target->machine(), options.state, session);
     what = fmt::format("{} clocks each", target->image.clocks);
   } else if (input->flow) {
     what = run_rounds(*input->flow, options, session);
@@ -137,7 +138,7 @@ int run_command(const Options& given) {
     auto compiled = compile_input(*input, options, diagnostics);
     if (!compiled) return report(diagnostics);
     const auto target = make_target(std::move(compiled->image), session.tick_us);
-    const int code = run_lockstep(*input->program, *target->machine, options, session);
+    const int code = run_lockstep(*input->program, target->machine(), options, session);
     if (code != kDone) return code;
     what = fmt::format("{} clocks each, equal to the reference", target->image.clocks);
   }

@@ -133,6 +133,14 @@ class Maker {
     return static_cast<int>(program_.instructions[instruction].origin);
   }
 
+  // A look-up computes its bit in every scan: if the instruction was executed shows only where that
+  // changes something, but for OUT, which always is.
+  bool quiet(const wide::Write& write) const {
+    if (write.instruction == wide::kNoInstruction) return false;
+    const core::Instruction& instruction = program_.instructions[write.instruction];
+    return instruction.quiet || (!is_word(write.device) && instruction.op != core::Op::Out);
+  }
+
   void add_code(const wide::Code& code) {
     for (std::size_t step = 0; step < code.steps.size(); ++step) {
       auto& chunks = wide_->code.emplace_back();
@@ -146,9 +154,7 @@ class Maker {
     for (const wide::Write& write : code.writes) {
       const auto device = index_.find(write.device);
       if (device == index_.end()) continue;
-      const bool quiet = write.instruction != wide::kNoInstruction &&
-                         program_.instructions[write.instruction].quiet;
-      wide_->writes.push_back({write.step, write.lane, device->second, quiet});
+      wide_->writes.push_back({write.step, write.lane, device->second, quiet(write)});
     }
   }
 

@@ -92,8 +92,13 @@ void check_wide(const Image& image) {
           "latch rows");
   require(static_cast<int>(wide.latched.size()) <= wide.latch_rows * machine->slots,
           "latched bits");
+  require(image.clocks == steps + wide::constant::scan_fill +
+                              std::max(0, wide.latch_rows - wide::constant::scan_latch_free),
+          "clocks");
   const auto devices = static_cast<int>(image.devices.size());
-  for (const int device : wide.latched) require(inside(device, devices), "latched device");
+  for (const int device : wide.latched) {
+    require(inside(device, devices) && !is_word(image.devices[device].device), "latched device");
+  }
   for (const WideWrite& each : wide.writes) {
     require(inside(each.device, devices) && inside(each.step, steps), "write");
     const bool word = is_word(image.devices[each.device].device);

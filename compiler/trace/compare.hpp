@@ -32,8 +32,10 @@ std::string describe(const TraceDifference& difference);
 // and both have them.
 class TraceComparison {
  public:
-  // `clocks`: compare them too, which makes sense between equal processors only.
-  explicit TraceComparison(bool clocks) : clocks_(clocks) {}
+  // `clocks`: compare them too, which makes sense between equal processors only. `merged`: one of
+  // the traces does not have all writes, so of each device only the value that it ends with in a
+  // scan is compared.
+  explicit TraceComparison(bool clocks, bool merged = false) : clocks_(clocks), merged_(merged) {}
 
   // The next scan of each trace; gives their first difference.
   std::optional<TraceDifference> next(const TraceScan& expected, const TraceScan& got);
@@ -43,12 +45,14 @@ class TraceComparison {
   using Pair = std::pair<Values, Values>;  // of the expected trace, of the other
 
   bool clocks_;
+  bool merged_;
   Pair inputs_;
   Pair outputs_;
   Pair devices_;  // last value of everything that is written or preset
 };
 
-// Compares whole traces; clocks if both are of the same processor.
+// Compares whole traces; clocks if both are of the same processor, by what each scan ends with if
+// one is merged.
 std::optional<TraceDifference> compare_traces(const Trace& expected, const Trace& got);
 
 }  // namespace rung

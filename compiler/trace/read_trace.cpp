@@ -95,7 +95,14 @@ TraceHeader parse_header(std::string_view line) {
   const double microseconds = tick.get<double>() * 1000.0;
   if (!(microseconds >= 0 && microseconds <= 9e15)) throw BadLine("\"tick_ms\" is out of range");
   header.tick_us = std::llround(microseconds);
-  header.mpu = static_cast<int>(integer(member(json, "mpu"), "\"mpu\"", 0, 3));
+  header.mpu = static_cast<int>(integer(member(json, "mpu"), "\"mpu\"", 0, 4));
+  if (const auto slots = json.find("slots"); slots != json.end()) {
+    header.slots = static_cast<int>(integer(*slots, "\"slots\"", 0, 1 << 16));
+  }
+  if (const auto merged = json.find("merged"); merged != json.end()) {
+    if (!merged->is_boolean()) throw BadLine("\"merged\" is neither true nor false");
+    header.merged = merged->get<bool>();
+  }
   return header;
 }
 

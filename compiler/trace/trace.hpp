@@ -2,7 +2,8 @@
 // A golden sequence trace: what a controller read, wrote and put out in each scan, as JSON Lines.
 //
 // The first line is the header, {"rung_trace":1,"program":...,"dialect":...,"tick_ms":...,
-// "mpu":...}, with "comments":{"X0":"start"} where devices have names; each other line is one scan,
+// "mpu":...}, of MPU4 with "slots":8,"merged":true, with "comments":{"X0":"start"} where devices
+// have names; each other line is one scan,
 // {"scan":...,"clocks":...,"in":{...},"writes":[...], "out":{...}}, with "state":{...} and
 // "tx":[...] where they are known. Devices stand by their names, so that a trace can be read
 // without the program.
@@ -24,9 +25,17 @@ struct TraceHeader {
   std::string dialect;
   std::int64_t tick_us = 10000;  // written in milliseconds
   int mpu = 0;                   // 0: the reference
+  int slots = 0;                 // of MPU4
+  // Of MPU4: compiled with merging, so that writes which nobody can see are missing. A device's
+  // last write in a scan that changes its value never is.
+  bool merged = false;
   // What a comment file calls the devices that the program names; for people, and not compared.
   std::map<std::string, std::string> comments = {};
   bool operator==(const TraceHeader&) const = default;
+  // Both tell of the same processor and the same way to compile: their clocks must be equal.
+  bool same_processor(const TraceHeader& other) const {
+    return mpu != 0 && mpu == other.mpu && slots == other.slots && merged == other.merged;
+  }
 };
 
 // A device and a value that it gets or has; bits 0 or 1, words signed.

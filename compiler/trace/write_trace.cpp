@@ -32,6 +32,10 @@ std::string to_json(const TraceHeader& header) {
     json["tick_ms"] = static_cast<double>(header.tick_us) / 1000.0;
   }
   json["mpu"] = header.mpu;
+  if (header.slots != 0) {
+    json["slots"] = header.slots;
+    json["merged"] = header.merged;
+  }
   if (!header.comments.empty()) json["comments"] = header.comments;
   return dump(json);
 }

@@ -14,9 +14,9 @@ using logic::Action;
 
 class Builder {
  public:
-  Builder(const logic::Logic& logic, const core::Program& program)
-      : logic_(logic), program_(program) {
+  Builder(const logic::Logic& logic, const core::Program& program) : logic_(logic) {
     values_.nodes.emplace_back();
+    for (const core::ConstantWord& word : program.constants) tables_[word.device] = word.value;
     literals_.assign(logic.nodes.size(), kFalse);
   }
 
@@ -66,6 +66,8 @@ class Builder {
   Word word(Device device) const {
     const auto found = values_.words.find(device);
     if (found != values_.words.end()) return found->second;
+    const auto in_table = tables_.find(device);
+    if (in_table != tables_.end()) return constant(in_table->second);
     Word value;
     value.kind = Word::Kind::Start;
     value.device = device;
@@ -228,8 +230,8 @@ class Builder {
   }
 
   const logic::Logic& logic_;
-  const core::Program& program_;
   Values values_;
+  std::map<Device, std::int16_t> tables_;  // words of the program's tables: nobody writes them
   std::vector<Literal> literals_;
   std::size_t instruction_ = 0;
 };

@@ -22,6 +22,15 @@ using values::WordOp;
 // The operation may leave its targets as they are.
 bool keeps(const WordOp& op) { return op.gate != kTrue || op.op == Op::Div || op.op == Op::Div32; }
 
+// The operation may set the error flag, which the controller sees even if nobody sees its results.
+bool may_divide_by_zero(const WordOp& op) {
+  if (op.op != Op::Div && op.op != Op::Div32) return false;
+  const std::size_t first = op.op == Op::Div ? 1 : 2;  // of the divisor's words
+  return std::all_of(
+      op.operands.begin() + static_cast<std::ptrdiff_t>(first), op.operands.end(),
+      [](const Word& word) { return word.kind != Word::Kind::Constant || word.value == 0; });
+}
+
 bool is_result(const Word& word) { return word.kind == Word::Kind::Result; }
 
 // What is worth computing: what somebody sees between scans, what that needs, and hidden devices
@@ -35,6 +44,9 @@ class Needs {
     if (all) {
       for (const auto& write : values.bit_writes) need(write.value);
       for (std::size_t i = 0; i < operations.size(); ++i) need_operation(static_cast<int>(i));
+    }
+    for (std::size_t i = 0; i < operations.size(); ++i) {
+      if (may_divide_by_zero(values.operations[i])) need_operation(static_cast<int>(i));
     }
     for (const auto& [device, literal] : values.bits) {
       if (values::is_visible(device) || all) bits.insert(device), need(literal);

@@ -8,6 +8,7 @@
 
 #include "driver/compile.hpp"
 #include "lockstep/lockstep.hpp"
+#include "lockstep/machine.hpp"
 
 namespace rung::tb {
 

@@ -8,7 +8,7 @@
 
 #include "driver/compile.hpp"
 #include "ldmicro/ldmicro.hpp"
-#include "lockstep/machine.hpp"
+#include "lockstep/any_machine.hpp"
 #include "melsec/melsec.hpp"
 #include "melsec/paper.hpp"
 #include "reference/run.hpp"
@@ -78,15 +78,35 @@ class Golden : public testing::TestWithParam<std::string> {
       EXPECT_GT(program_.instructions.size(), 40U);
       return;
     }
-    const auto processor = make_processor(mpu, config);
-    Machine machine(compiled->image, *processor, golden_.header.tick_us);
-    MachineRun engine(machine, true);
-    TraceComparison comparison(false);
+    run(compiled->image);
+  }
+
+  // By the values after each scan, or by every write.
+  void run_wide(int slots, bool merge) {
+    SCOPED_TRACE(testing::Message()
+                 << "MPU4, " << slots << " slots; replay: build/bin/rung check " << source_
+                 << " --golden tb/golden/programs/" << GetParam() << ".golden --mpu 4 --slots "
+                 << slots << (merge ? "" : " --no-merge"));
+    CompileOptions options;
+    options.mpu = isa::Mpu::Mpu4;
+    options.slots = slots;
+    options.merge = merge;
+    options.search.tries = 4;
+    Diagnostics diagnostics;
+    const auto compiled = compile(program_, options, diagnostics);
+    ASSERT_TRUE(compiled) << diagnostics.all().front().what;
+    run(compiled->image);
+  }
+
+  void run(const image::Image& image) {
+    const LoadedMachine loaded = load_machine(image, golden_.header.tick_us);
+    MachineRun engine(*loaded.machine, true);
+    TraceComparison comparison(false, engine.header().merged);
     for (std::size_t k = 0; k < golden_.scans.size(); ++k) {
       const TraceScan got = engine.scan(stimulus_.events(k));
       const auto difference = comparison.next(golden_.scans[k], got);
       ASSERT_FALSE(difference) << describe(*difference);
-      ASSERT_EQ(got.clocks, compiled->image.clocks) << "scan " << k;
+      ASSERT_EQ(got.clocks, image.clocks) << "scan " << k;
     }
     ++ran_;
   }
@@ -120,6 +140,16 @@ TEST_P(Golden, Processors) {
     }
   }
   EXPECT_GE(ran_, 3) << "every program fits the largest configuration";
+}
+
+TEST_P(Golden, WideProcessor) {
+  for (const int slots : {4, 8, 16}) {
+    for (const bool merge : {true, false}) {
+      run_wide(slots, merge);
+      if (HasFatalFailure()) return;
+    }
+  }
+  EXPECT_EQ(ran_, 6);
 }
 
 INSTANTIATE_TEST_SUITE_P(Programs, Golden, testing::ValuesIn(names()),

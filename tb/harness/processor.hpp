@@ -35,10 +35,18 @@ struct ScanResult {
 // Called for each retired instruction, in order of steps, slot 0 first; may be empty.
 using RetireObserver = std::function<void(const Retired&)>;
 
-class Processor {
+// The devices of a processor, by their addresses, between two scans.
+class DeviceMemory {
  public:
-  virtual ~Processor() = default;
+  virtual ~DeviceMemory() = default;
+  virtual void write_bit(int address, bool value) = 0;
+  virtual void write_word(int address, std::uint16_t value) = 0;
+  virtual bool read_bit(int address) = 0;
+  virtual std::uint16_t read_word(int address) = 0;
+};
 
+class Processor : public DeviceMemory {
+ public:
   // Processor and configuration that this is.
   virtual isa::Mpu mpu() const = 0;
   virtual const isa::Config& config() const = 0;
@@ -52,12 +60,9 @@ class Processor {
   // MPU1.
   virtual void load_lut(int row, std::uint8_t function) = 0;
 
-  // Device accesses between scans, one clock each for a write; addresses below the configuration's
-  // number of devices.
-  virtual void write_bit(int address, bool value) = 0;
-  virtual void write_word(int address, std::uint16_t value) = 0;
-  virtual bool read_bit(int address) = 0;
-  virtual std::uint16_t read_word(int address) = 0;
+  // Of DeviceMemory: a write takes one clock; addresses are below the configuration's number of
+  // devices.
+
   // Writes 0 to every device; make_processor() has done it once.
   virtual void clear_devices() = 0;
 

@@ -12,6 +12,7 @@
 
 #include "driver/compile.hpp"
 #include "lockstep/lockstep.hpp"
+#include "lockstep/machine.hpp"
 #include "melsec/melsec.hpp"
 #include "programs/random_source.hpp"
 #include "rungs/special.hpp"

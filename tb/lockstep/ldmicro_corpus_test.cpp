@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// LDmicro programs that nobody here wrote, if they are there: each one runs on all three processors
+// LDmicro programs that nobody here wrote, if they are there: each one runs on all four processors
 // as LDmicro's own simulator has shown it, value for value and scan for scan, and as the reference.
 #include "programs/ldmicro_corpus.hpp"
 
@@ -7,6 +7,8 @@
 
 #include "driver/compile.hpp"
 #include "lockstep/lockstep.hpp"
+#include "lockstep/machine.hpp"
+#include "lockstep/wide_machine.hpp"
 
 namespace rung::tb {
 namespace {
@@ -20,7 +22,9 @@ TEST_P(LdmicroCorpus, RunsAsTheSimulatorShowed) {
   CompileOptions options;
   options.mpu = GetParam();
   options.config = &config;
-  const auto processor = make_processor(GetParam(), config);
+  const bool wide = GetParam() == isa::Mpu::Mpu4;
+  const auto processor = wide ? nullptr : make_processor(GetParam(), config);
+  const auto wide_processor = wide ? make_wide_processor(options.slots) : nullptr;
   std::size_t scans = 0;
   for (const LdmicroSample& sample : samples) {
     SCOPED_TRACE(sample.name);
@@ -29,9 +33,14 @@ TEST_P(LdmicroCorpus, RunsAsTheSimulatorShowed) {
     Diagnostics diagnostics;
     const auto compiled = compile(*loaded.program, options, diagnostics);
     ASSERT_TRUE(compiled);
-    Machine machine(compiled->image, *processor);
-    Lockstep lockstep(*loaded.program, machine);
-    MachineRun run(machine, true);
+    std::unique_ptr<AnyMachine> machine;
+    if (wide) {
+      machine = std::make_unique<WideMachine>(compiled->image, *wide_processor);
+    } else {
+      machine = std::make_unique<Machine>(compiled->image, *processor);
+    }
+    Lockstep lockstep(*loaded.program, *machine);
+    MachineRun run(*machine, true);
     const auto scan = [&](std::span<const StimulusEvent> events) {
       const auto difference = lockstep.scan(events);
       EXPECT_FALSE(difference) << describe(*difference);
@@ -48,7 +57,8 @@ TEST_P(LdmicroCorpus, RunsAsTheSimulatorShowed) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Processors, LdmicroCorpus,
-                         testing::Values(isa::Mpu::Mpu1, isa::Mpu::Mpu2, isa::Mpu::Mpu3),
+                         testing::Values(isa::Mpu::Mpu1, isa::Mpu::Mpu2, isa::Mpu::Mpu3,
+                                         isa::Mpu::Mpu4),
                          [](const auto& info) {
                            return "Mpu" + std::to_string(static_cast<int>(info.param));
                          });

@@ -7,6 +7,7 @@
 #include "driver/compile.hpp"
 #include "ldmicro/ldmicro.hpp"
 #include "lockstep/lockstep.hpp"
+#include "lockstep/machine.hpp"
 #include "programs/random_source.hpp"
 #include "rungs/ports.hpp"
 
@@ -87,6 +88,26 @@ std::vector<StimulusEvent> events(RandomSource& random, bool first) {
 
 class Ports : public testing::TestWithParam<isa::Mpu> {};
 
+// Runs the program; all of the ports must have been used.
+void run(const Program& source, AnyMachine& machine) {
+  Lockstep lockstep(source, machine);
+  RandomSource random(5);
+  int kept = 0;
+  std::size_t sent = 0;
+  for (int scan = 0; scan < kScans; ++scan) {
+    auto difference = lockstep.scan(events(random, scan == 0));
+    const bool was_ready = machine.peripherals().value(port::persist_ready) != 0;
+    if (!difference) difference = lockstep.compare_state();
+    ASSERT_FALSE(difference) << describe(*difference);
+    kept += was_ready ? 0 : 1;
+    sent += machine.sent().size();
+  }
+  EXPECT_GT(kept, kScans / 10);
+  EXPECT_LT(kept, kScans);
+  EXPECT_GT(sent, 100U);
+  EXPECT_EQ(machine.peripherals().value(port::pwm_hz_high), 1);
+}
+
 TEST_P(Ports, AreLeftAsTheReferenceLeavesThem) {
   const Program source = program();
   ASSERT_FALSE(source.instructions.empty());
@@ -101,23 +122,8 @@ TEST_P(Ports, AreLeftAsTheReferenceLeavesThem) {
     const auto processor = make_processor(GetParam(), *config);
     {
       Machine machine(compiled->image, *processor);
-      Lockstep lockstep(source, machine);
-      RandomSource random(5);
-      int kept = 0;
-      std::size_t sent = 0;
-      for (int scan = 0; scan < kScans; ++scan) {
-        auto difference = lockstep.scan(events(random, scan == 0));
-        const bool was_ready = machine.peripherals().value(port::persist_ready) != 0;
-        if (!difference) difference = lockstep.compare_state();
-        ASSERT_FALSE(difference) << describe(*difference);
-        kept += was_ready ? 0 : 1;
-        sent += machine.sent().size();
-      }
-      // All of it has been used.
-      EXPECT_GT(kept, kScans / 10);
-      EXPECT_LT(kept, kScans);
-      EXPECT_GT(sent, 100U);
-      EXPECT_EQ(machine.peripherals().value(port::pwm_hz_high), 1);
+      run(source, machine);
+      if (HasFatalFailure()) return;
     }
     // The machine has left nothing behind for the next one.
     for (int address = 0; address < config->bit_devices; ++address) {
@@ -125,6 +131,25 @@ TEST_P(Ports, AreLeftAsTheReferenceLeavesThem) {
     }
     for (int address = 0; address < config->word_devices; ++address) {
       ASSERT_EQ(processor->read_word(address), 0) << address;
+    }
+  }
+}
+
+TEST(WidePorts, AreLeftAsTheReferenceLeavesThem) {
+  const Program source = program();
+  for (const int slots : {4, 8, 16}) {
+    for (const bool merge : {true, false}) {
+      SCOPED_TRACE(testing::Message() << slots << " slots, merge " << merge);
+      CompileOptions options;
+      options.mpu = isa::Mpu::Mpu4;
+      options.slots = slots;
+      options.merge = merge;
+      Diagnostics diagnostics;
+      const auto compiled = compile(source, options, diagnostics);
+      ASSERT_TRUE(compiled);
+      const LoadedMachine loaded = load_machine(compiled->image);
+      run(source, *loaded.machine);
+      if (HasFatalFailure()) return;
     }
   }
 }

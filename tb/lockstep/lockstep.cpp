@@ -19,7 +19,7 @@ std::string describe(const Difference& difference) {
   return text;
 }
 
-Lockstep::Lockstep(const Program& program, Machine& machine)
+Lockstep::Lockstep(const Program& program, AnyMachine& machine)
     : program_(program), machine_(machine), reference_(program, machine.tick_us()) {
   for (const image::ImageDevice& named : machine.image().devices) devices_.push_back(named.device);
   expected_.assign(devices_.size(), 0);
@@ -37,13 +37,7 @@ std::optional<Difference> Lockstep::scan(std::span<const StimulusEvent> events) 
   reference_.run_scan();
   result_ = machine_.run_scan();
 
-  const std::vector<Change> expected = expected_changes();
-  const std::vector<Change> got = got_changes();
-  auto difference = compare_by_device(expected, got);
-  if (!difference && machine_.image().mpu == isa::Mpu::Mpu1) {
-    difference = compare_order(expected, got);
-  }
-  if (difference) return difference;
+  if (const auto difference = compare_writes()) return difference;
   const auto flag = [](bool on) { return std::string(on ? "1" : "0"); };
   if (result_.error != reference_.error()) {
     return Difference{scan_, {}, {}, "error flag", flag(reference_.error()), flag(result_.error)};
@@ -60,7 +54,18 @@ std::optional<Difference> Lockstep::scan(std::span<const StimulusEvent> events) 
       return Difference{scan_, {}, {}, "clocks", clocks, std::to_string(counted)};
     }
   }
-  return compare_devices(true);
+  return compare_devices(machine_.every_write());
+}
+
+std::optional<Difference> Lockstep::compare_writes() {
+  if (!machine_.every_write()) return std::nullopt;
+  const std::vector<Change> expected = expected_changes();
+  const std::vector<Change> got = got_changes();
+  auto difference = compare_by_device(expected, got);
+  if (!difference && machine_.image().mpu == isa::Mpu::Mpu1) {
+    difference = compare_order(expected, got);
+  }
+  return difference;
 }
 
 std::string Lockstep::source_of(std::size_t instruction) const {
@@ -87,7 +92,7 @@ std::optional<Difference> Lockstep::compare_write(const ReferenceWrite* expected
   difference.what = "write";
   difference.expected = expected ? show(expected->device, expected->value) : "no write";
   difference.got = got ? show(devices_[got->device], got->value) : "no write";
-  if (got != nullptr) difference.where = machine_.describe(got->step, got->slot);
+  if (got != nullptr) difference.where = machine_.describe(*got);
   if (expected != nullptr) difference.source = source_of(expected->instruction);
   return difference;
 }
@@ -144,7 +149,7 @@ std::optional<Difference> Lockstep::compare_order(const std::vector<Change>& exp
     difference.what = "order of writes";
     difference.expected = source_of(expected[i].expected->instruction);
     difference.got = source_of(instruction);
-    difference.where = machine_.describe(write.step, write.slot);
+    difference.where = machine_.describe(write);
     return difference;
   }
   return std::nullopt;

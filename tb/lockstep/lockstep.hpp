@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-#include "lockstep/machine.hpp"
+#include "lockstep/any_machine.hpp"
 #include "reference/reference.hpp"
 
 namespace rung::tb {
@@ -26,12 +26,13 @@ std::string describe(const Difference& difference);
 class Lockstep {
  public:
   // `program` is what `machine` was compiled from. Both must outlive this.
-  Lockstep(const Program& program, Machine& machine);
+  Lockstep(const Program& program, AnyMachine& machine);
 
   // Gives both the same events, runs one scan on both and compares: for each device the sequence of
   // the values that it gets, on MPU1 also the order of the source instructions that change
   // something; outputs, the error flag, bytes sent, and the clocks with those that the compiler has
-  // counted.
+  // counted. Where not every write is made (MPU4 with merging), in place of the sequences every
+  // device's value after the scan.
   std::optional<Difference> scan(std::span<const StimulusEvent> events);
   // Compares every device that the program names, and the device ports.
   std::optional<Difference> compare_state();
@@ -53,6 +54,7 @@ class Lockstep {
   // Writes that change a value, of the reference and of the processor.
   std::vector<Change> expected_changes();
   std::vector<Change> got_changes();
+  std::optional<Difference> compare_writes();
   std::optional<Difference> compare_by_device(const std::vector<Change>& expected,
                                               const std::vector<Change>& got);
   std::optional<Difference> compare_order(const std::vector<Change>& expected,
@@ -63,7 +65,7 @@ class Lockstep {
   std::string source_of(std::size_t instruction) const;
 
   const Program& program_;
-  Machine& machine_;
+  AnyMachine& machine_;
   Reference reference_;
   std::vector<Device> devices_;               // of Image::devices
   std::vector<std::int16_t> expected_, got_;  // their values

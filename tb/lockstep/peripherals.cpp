@@ -5,30 +5,39 @@
 
 namespace rung::tb {
 
-bool Peripherals::has(Device port) const {
-  const int used = is_word(port) ? image_.port_words : image_.port_bits;
-  return static_cast<int>(port.number) < used;
-}
-
-int Peripherals::address(Device port) const {
-  const isa::Config& config = processor_.config();
-  const int devices = is_word(port) ? config.word_devices : config.bit_devices;
-  return devices - 1 - static_cast<int>(port.number);
+PortPlaces port_places(const image::Image& image) {
+  PortPlaces places;
+  if (image.wide) {
+    for (const image::WidePort& port : image.wide->ports) places[port.device] = port.address;
+    return places;
+  }
+  // From the end of each memory downwards.
+  const isa::Config& config = *isa::find_config(image.config);
+  const auto add = [&](DeviceKind kind, int count, int devices) {
+    for (int i = 0; i < count; ++i) {
+      places[{kind, static_cast<std::uint32_t>(i)}] = devices - 1 - i;
+    }
+  };
+  add(DeviceKind::PB, image.port_bits, config.bit_devices);
+  add(DeviceKind::PW, image.port_words, config.word_devices);
+  return places;
 }
 
 void Peripherals::write(Device port, std::int16_t value) {
-  if (!has(port)) return;
+  const auto place = places_.find(port);
+  if (place == places_.end()) return;
   if (is_word(port)) {
-    processor_.write_word(address(port), static_cast<std::uint16_t>(value));
+    memory_.write_word(place->second, static_cast<std::uint16_t>(value));
   } else {
-    processor_.write_bit(address(port), value != 0);
+    memory_.write_bit(place->second, value != 0);
   }
 }
 
 std::int16_t Peripherals::value(Device port) {
-  if (!has(port)) return 0;
-  if (is_word(port)) return static_cast<std::int16_t>(processor_.read_word(address(port)));
-  return processor_.read_bit(address(port)) ? 1 : 0;
+  const auto place = places_.find(port);
+  if (place == places_.end()) return 0;
+  if (is_word(port)) return static_cast<std::int16_t>(memory_.read_word(place->second));
+  return memory_.read_bit(place->second) ? 1 : 0;
 }
 
 void Peripherals::set(Device port, std::int16_t value) {
@@ -49,12 +58,7 @@ void Peripherals::end_scan() {
 }
 
 void Peripherals::clear() {
-  for (int i = 0; i < image_.port_bits; ++i) {
-    write({DeviceKind::PB, static_cast<std::uint32_t>(i)}, 0);
-  }
-  for (int i = 0; i < image_.port_words; ++i) {
-    write({DeviceKind::PW, static_cast<std::uint32_t>(i)}, 0);
-  }
+  for (const auto& [port, place] : places_) write(port, 0);
 }
 
 }  // namespace rung::tb

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <vector>
 
 #include "harness/processor.hpp"
@@ -12,11 +13,15 @@
 
 namespace rung::tb {
 
+// The device ports that a program has, and where its processor keeps them.
+using PortPlaces = std::map<Device, int>;
+PortPlaces port_places(const image::Image& image);
+
 class Peripherals {
  public:
-  // Both must outlive this. A program without ports costs nothing.
-  Peripherals(const image::Image& image, Processor& processor)
-      : image_(image), processor_(processor) {}
+  // `memory` must outlive this. A program without ports costs nothing.
+  Peripherals(PortPlaces places, DeviceMemory& memory)
+      : places_(std::move(places)), memory_(memory) {}
 
   // Gives a port a value before a scan, if the program has it: a sample, or something for the
   // lasting memory; a value for port::uart_rx_data is a byte that arrives.
@@ -29,16 +34,15 @@ class Peripherals {
   const std::vector<int>& sent() const { return sent_; }
   // A port as it stands in the processor.
   std::int16_t value(Device port);
-  bool has(Device port) const;
+  bool has(Device port) const { return places_.contains(port); }
   // Sets all ports back to 0.
   void clear();
 
  private:
-  int address(Device port) const;
   void write(Device port, std::int16_t value);
 
-  const image::Image& image_;
-  Processor& processor_;
+  PortPlaces places_;
+  DeviceMemory& memory_;
   int busy_ = 0;  // scans until the transmitter takes a byte again
   std::vector<int> sent_;
 };

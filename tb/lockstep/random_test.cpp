@@ -11,6 +11,7 @@
 #include "driver/compile.hpp"
 #include "lockstep/hazards.hpp"
 #include "lockstep/lockstep.hpp"
+#include "lockstep/machine.hpp"
 #include "melsec/list.hpp"
 #include "programs/random_program.hpp"
 #include "programs/random_source.hpp"

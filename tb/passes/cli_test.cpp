@@ -34,7 +34,7 @@ TEST_F(Cli, CompileSaysItsCountsAsJson) {
 TEST_F(Cli, AnImageRunsAsTheProgramDoes) {
   const std::string program = file("motor.il", kMotor);
   const std::string stimulus = file("motor.stim", "X0=1\nX0=0\nX1=1\n\n");
-  for (const char* mpu : {"1", "2", "3"}) {
+  for (const char* mpu : {"1", "2", "3", "4", "4 --slots 16", "4 --slots 4 --no-merge"}) {
     const std::string on = std::string(" --mpu ") + mpu;
     ASSERT_EQ(rung("compile " + program + on + " -o " + path("motor.img")).code, 0);
     ASSERT_EQ(
@@ -280,7 +280,7 @@ constexpr const char* kEcho =
 TEST_F(Cli, LdmicroProgramsRunByTheirNames) {
   const std::string program = file("echo.ld", kEcho);
   const std::string stimulus = file("echo.stim", "level=300 *2\nXgo=1\n\nXgo=0 RX=1\n");
-  for (const char* mpu : {"reference", "1", "2", "3"}) {
+  for (const char* mpu : {"reference", "1", "2", "3", "4"}) {
     const std::string on = std::string(" --mpu ") + mpu;
     const Result r = rung("run " + program + on + " --stimulus " + stimulus + " --trace -");
     EXPECT_EQ(r.code, 0) << r.err;
@@ -306,7 +306,7 @@ TEST_F(Cli, CheckTakesATraceOfLdmicrosSimulator) {
   const std::string stopped = file("stopped.trace", shown + "3: Xgo=0 DIVZERO_HALT\n");
   const std::string bad = file("bad.trace", shown + "3: Xgo=0 Ybusy=1 level=300\n");
   const std::string check = "check " + program + " --golden ";
-  for (const char* mpu : {"reference", "1", "2", "3"}) {
+  for (const char* mpu : {"reference", "1", "2", "3", "4"}) {
     const std::string on = stimulus + " --mpu " + mpu;
     EXPECT_EQ(rung(check + good + on).code, 0) << mpu;
     const Result note = rung(check + stopped + on);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "lockstep/lockstep.hpp"
+#include "lockstep/machine.hpp"
 #include "rungs/ports.hpp"
 #include "view/recorder.hpp"
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <numeric>
 #include <stdexcept>
 
 #include "Vw16_mpu4.h"
@@ -61,11 +62,13 @@ class Verilated final : public WideRtl {
     since_access_ = 0;
   }
 
-  std::vector<std::uint16_t> read(int space, std::uint32_t first, int count) override {
+  std::vector<std::uint16_t> read(int space, std::span<const int> addresses) override {
     std::vector<std::uint16_t> values;
+    if (addresses.empty()) return values;
+    const auto count = static_cast<int>(addresses.size());
     for (int i = 0; i < count + kReadClocks - 1; ++i) {
       if (i < count) {
-        access(space, first + static_cast<std::uint32_t>(i), 0, false);
+        access(space, static_cast<std::uint32_t>(addresses[static_cast<std::size_t>(i)]), 0, false);
       } else {
         tick();
       }
@@ -177,17 +180,29 @@ void WideRtl::write_bit(const Place& place, bool value) {
 void WideRtl::write_word(const Place& place, std::uint16_t value) {
   write(kWords, static_cast<std::uint32_t>(place.row * units() + place.lane), value);
 }
+std::vector<std::uint16_t> WideRtl::read_bits(std::span<const int> addresses) {
+  return read(kBits, addresses);
+}
+std::vector<std::uint16_t> WideRtl::read_words(std::span<const int> addresses) {
+  return read(kWords, addresses);
+}
 bool WideRtl::read_bit(const Place& place) {
-  return read(kBits, static_cast<std::uint32_t>(place.row * slots() + place.lane), 1).front() != 0;
+  const int address = place.row * slots() + place.lane;
+  return read_bits({&address, 1}).front() != 0;
 }
 std::uint16_t WideRtl::read_word(const Place& place) {
-  return read(kWords, static_cast<std::uint32_t>(place.row * units() + place.lane), 1).front();
+  const int address = place.row * units() + place.lane;
+  return read_words({&address, 1}).front();
 }
 std::vector<std::uint16_t> WideRtl::read_bit_rows(int rows) {
-  return read(kBits, 0, rows * slots());
+  std::vector<int> addresses(static_cast<std::size_t>(rows * slots()));
+  std::iota(addresses.begin(), addresses.end(), 0);
+  return read_bits(addresses);
 }
 std::vector<std::uint16_t> WideRtl::read_word_rows(int rows) {
-  return read(kWords, 0, rows * units());
+  std::vector<int> addresses(static_cast<std::size_t>(rows * units()));
+  std::iota(addresses.begin(), addresses.end(), 0);
+  return read_words(addresses);
 }
 
 std::unique_ptr<WideRtl> make_wide_rtl(int slots, int seed) {

@@ -34,8 +34,8 @@ class WideRtl {
   virtual void reset() = 0;
   // One access of the load port.
   virtual void write(int space, std::uint32_t address, std::uint16_t data) = 0;
-  // Reads of `count` addresses from `first` on, one a clock.
-  virtual std::vector<std::uint16_t> read(int space, std::uint32_t first, int count) = 0;
+  // Reads of these addresses, one a clock.
+  virtual std::vector<std::uint16_t> read(int space, std::span<const int> addresses) = 0;
   virtual void idle(int clocks) = 0;
   // One scan for each element of `inputs`, every one started with the edge that samples the done
   // before.
@@ -48,6 +48,9 @@ class WideRtl {
   void write_word(const Place& place, std::uint16_t value);
   bool read_bit(const Place& place);
   std::uint16_t read_word(const Place& place);
+  // Addresses are row * lanes + lane.
+  std::vector<std::uint16_t> read_bits(std::span<const int> addresses);
+  std::vector<std::uint16_t> read_words(std::span<const int> addresses);
   // Whole rows from row 0 on, lane by lane.
   std::vector<std::uint16_t> read_bit_rows(int rows);
   std::vector<std::uint16_t> read_word_rows(int rows);

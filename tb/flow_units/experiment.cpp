@@ -45,7 +45,8 @@ std::string probe_pins(FlowMode mode) {
 }
 
 // Two stand-ins of the paper's Sample 1 one behind the other: some 1,000 clocks on MPU3.
-std::string ladder_text() {
+std::string ladder_text(FlowLadder ladder) {
+  if (ladder == FlowLadder::Short) return "LDI M0\nOUT M0\nEND\n";
   std::string first = sample_program(1, kDensity, kSampleSeed);
   first.erase(first.rfind("END"));
   return first + sample_program(1, kDensity, kSecondSampleSeed);
@@ -106,8 +107,8 @@ namespace {
 
 class Bench {
  public:
-  Bench(FlowMode mode, int tasks, std::uint64_t seed)
-      : mode_(mode), tasks_(tasks), measured_(measured(mode, tasks)), system_(2, seed) {
+  Bench(FlowMode mode, int tasks, FlowLadder ladder, std::uint64_t seed)
+      : mode_(mode), tasks_(tasks), measured_(measured(mode, tasks, ladder)), system_(2, seed) {
     const Folder folder;
     const auto& pins = io::find_board("simulated")->inputs;
     const std::string map = fmt::format("[inputs]\nX0 = '{}'\nX1 = '{}'\n", pins.at(0), pins.at(1));
@@ -165,9 +166,9 @@ class Bench {
   }
 
  private:
-  static FlowBuilt measured(FlowMode mode, int tasks) {
+  static FlowBuilt measured(FlowMode mode, int tasks, FlowLadder ladder) {
     const Folder folder;
-    folder.put("ladder.il", ladder_text());
+    folder.put("ladder.il", ladder_text(ladder));
     return build_flow(folder.put("measured.flow", measured_program(tasks, "ladder.il")),
                       map_text(mode) + probe_pins(mode));
   }
@@ -184,8 +185,8 @@ class Bench {
 }  // namespace
 
 std::vector<FlowResult> run_flow_cells(FlowMode mode, int tasks, int inputs, std::uint64_t seed,
-                                       const std::vector<int>& scenarios) {
-  Bench bench(mode, tasks, seed);
+                                       const std::vector<int>& scenarios, FlowLadder ladder) {
+  Bench bench(mode, tasks, ladder, seed);
   std::vector<FlowResult> results;
   for (const int number : scenarios) {
     results.push_back(

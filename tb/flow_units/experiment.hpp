@@ -31,6 +31,13 @@ enum class FlowMode : std::uint8_t {
   Sampled,    // (c): as (b), with inputs sampled in every round instead of polled
 };
 
+// The ladder beside the tasks.
+enum class FlowLadder {
+  Paper,  // some 1,000 clocks
+  Short,  // one rung: starting a unit is most of what a test simulates, and takes as long as its
+          // program
+};
+
 struct FlowResult {
   int scenario = 1;
   int tasks = 1;
@@ -52,7 +59,8 @@ struct FlowResult {
 // of each as many inputs. Where a scenario has one unit, the link is cut. Throws std::runtime_error
 // if something is not as it should be.
 std::vector<FlowResult> run_flow_cells(FlowMode mode, int tasks, int inputs, std::uint64_t seed,
-                                       const std::vector<int>& scenarios = {1, 2, 3, 4, 5, 6});
+                                       const std::vector<int>& scenarios = {1, 2, 3, 4, 5, 6},
+                                       FlowLadder ladder = FlowLadder::Paper);
 // Of the simulation.
 std::uint64_t flow_clocks_per_ms();
 

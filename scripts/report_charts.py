@@ -127,7 +127,7 @@ STYLE = """
 body { max-width: 1080px; margin: 24px auto; padding: 0 18px; background: var(--back); color: var(--text); font: 15px/1.5 system-ui, sans-serif; }
 h1 { font-size: 24px; } h2 { font-size: 19px; margin: 36px 0 6px; border-bottom: 1px solid var(--line); } h3 { font-size: 15px; margin: 12px 0 4px; }
 nav a { margin-right: 14px; } a { color: inherit; } p { color: var(--soft); margin: 4px 0 10px; }
-svg { max-width: 100%; height: auto; } svg text { fill: var(--text); font: 12px system-ui, sans-serif; } svg .name { text-anchor: end; }
+svg, img { max-width: 100%; height: auto; } img { background: #fff; } svg text { fill: var(--text); font: 12px system-ui, sans-serif; } svg .name { text-anchor: end; }
 .ours { fill: var(--ours); } .theirs { fill: var(--theirs); } .range { stroke: var(--text); fill: none; } .bound { fill: none; stroke: var(--soft); }
 .columns { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(460px, 100%), 1fr)); gap: 6px 24px; }
 details { margin: 8px 0; } .scroll { overflow-x: auto; } table { border-collapse: collapse; font-size: 13px; }
@@ -139,7 +139,8 @@ th, td { border: 1px solid var(--line); padding: 2px 9px; text-align: right; } t
 
 def document(title: str, sections: Sequence[str]) -> str:
     """The page; its table of contents has what is there."""
-    names = {"scan": "scan time", "steps": "steps", "area": "area and clock", "boards": "boards", "latency": "latency"}
+    names = {"scan": "scan time", "steps": "steps", "area": "area and clock", "boards": "boards", "latency": "latency",
+             "flow": "flow tasks", "cells": "standard cells", "tradeoff": "the whole trade"}
     links = "".join(f'<a href="#{key}">{name}</a>' for key, name in names.items() if any(f'id="{key}"' in part for part in sections))
     return ('<!doctype html>\n<html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">'
             f"<title>{escape(title)}</title><style>{STYLE}</style></head>\n<body><h1>{escape(title)}</h1>"

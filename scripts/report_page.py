@@ -1,13 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Write reports/index.html: steps, area, clock, scan time and latency as plots and tables.
+"""Write reports/index.html: steps, area, clock, scan time, latency and what else was measured, as plots and tables.
 
 All of it comes from the JSON files beside it, which other targets write; what is not there is left out. The page needs
 no other file and no network. A bar's number is in its table too."""
 from __future__ import annotations
 
+import base64
 import json
 import sys
+from html import escape
 from pathlib import Path
 
 import report_charts as chart
@@ -102,6 +104,45 @@ def latency(record: Json) -> str:
             + chart.ranges(ranges) + table(head, rows) + "</section>")
 
 
+def flow_tasks(record: Json) -> str:
+    """Responses of flow tasks, sampled in every round, below the bound that the compiler prints; of each number of tasks the worst scenario."""
+    us_a_clock = 0.01  # the report's 100 MHz
+    ranges, rows = [], []
+    for cell in record["cells"]:
+        rows.append([cell["mode"], cell["scenario"], cell["tasks"], cell["inputs"], f"{cell['least_ms']:.4f}", f"{cell['most_ms']:.4f}",
+                     cell["most_clocks"], cell.get("bound_clocks") or ""])
+    for tasks in sorted({cell["tasks"] for cell in record["cells"]}):
+        cells = [cell for cell in record["cells"] if cell["mode"] == "sampled" and cell["tasks"] == tasks]
+        ranges.append(chart.Range(f"{tasks} task{'s' if tasks > 1 else ''}", min(cell["least_clocks"] for cell in cells) * us_a_clock,
+                                  max(cell["most_clocks"] for cell in cells) * us_a_clock, 0, max(cell["bound_clocks"] for cell in cells) * us_a_clock))
+    head = ["mode", "scenario", "tasks", "inputs", "ms least", "most", "clocks most", "bound"]
+    return ('<section id="flow"><h2>Flow tasks</h2><p>Microseconds from an input\'s edge to the output\'s at 100 MHz, beside a ladder of '
+            f'{record["cells"][0]["ladder_clocks"]} clocks, inputs sampled in every round; a frame is the printed bound. Made by <code>make flow-report</code> on '
+            f'{record["date"]} (<a href="flow.md">flow.md</a>).</p>' + chart.ranges(ranges) + table(head, rows) + "</section>")
+
+
+def standard_cells(record: Json) -> str:
+    """The processors on a standard-cell process."""
+    gates = [Bar(row["name"], row["nand2_equivalents"]) for row in record["results"]]
+    rates = [Bar(row["name"], row["clock_mhz"]["assumed_wires"], high=row["clock_mhz"]["no_wires"], low=row["clock_mhz"]["assumed_wires"])
+             for row in record["results"]]
+    rows = [[row["name"], row["gates"], row["flip_flops"], row["nand2_equivalents"], row["clock_mhz"]["assumed_wires"], row["clock_mhz"]["no_wires"]]
+            for row in record["results"]]
+    head = ["processor", "gates", "flip-flops", "NAND2 equivalents", "MHz, assumed wires", "MHz, no wires"]
+    return (f'<section id="cells"><h2>On standard cells</h2><p>{escape(record["liberty"]["process"])}, memories as black boxes with an assumed access time, '
+            f'clock by static timing (<a href="cells.md">cells.md</a>). {sentence(record)} A line ends at the clock without wires.</p>'
+            + chart.columns(["<h3>NAND2 equivalents</h3>" + chart.bars(gates, ""), "<h3>Clock</h3>" + chart.bars(rates, "MHz")])
+            + table(head, rows) + "</section>")
+
+
+def tradeoff(picture: Path) -> str:
+    """The chart of `make tradeoff`, in the page as it is."""
+    data = base64.b64encode(picture.read_bytes()).decode()
+    return ('<section id="tradeoff"><h2>The whole trade</h2><p>Sample 1 on everything we have, beside soft cores and a server core '
+            '(<a href="tradeoff.md">tradeoff.md</a> has the numbers).</p>'
+            f'<img alt="ns a scan, worst ns a scan, area, time to change a program" src="data:image/svg+xml;base64,{data}"></section>')
+
+
 def read(name: str) -> Json | None:
     file = tools.REPORTS / f"{name}.json"
     return json.loads(file.read_text()) if file.exists() else None
@@ -109,6 +150,7 @@ def read(name: str) -> Json | None:
 
 def page() -> str:
     area, yard, board, reliability = read("area-timing"), read("yardsticks"), read("boards"), read("reliability")
+    flow, cells = read("flow"), read("cells")
     sections = []
     if area and yard:
         sections.append(scan_time(area, yard))
@@ -120,6 +162,12 @@ def page() -> str:
         sections.append(boards(board))
     if reliability:
         sections.append(latency(reliability))
+    if flow:
+        sections.append(flow_tasks(flow))
+    if cells:
+        sections.append(standard_cells(cells))
+    if (tools.REPORTS / "tradeoff.svg").exists():
+        sections.append(tradeoff(tools.REPORTS / "tradeoff.svg"))
     return chart.document("Rung: reports", sections)
 
 

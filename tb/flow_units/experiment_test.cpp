@@ -23,7 +23,8 @@ TEST(FlowExperiment, InsideItsBoundWithEverything) {
 // A command that waits in its place: its panel holds up everything, beyond the paper's goal of 5
 // ms.
 TEST(FlowExperiment, WithoutSuspensionThePanelIsFelt) {
-  const FlowResult result = run_flow_cells(FlowMode::Waiting, 1, 2, 1, {4}, FlowLadder::Short).front();
+  const FlowResult result =
+      run_flow_cells(FlowMode::Waiting, 1, 2, 1, {4}, FlowLadder::Short).front();
   EXPECT_GT(milliseconds(result.most), 5);
   EXPECT_GT(result.panel_answers, 0);
 }

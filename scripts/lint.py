@@ -53,6 +53,8 @@ def verilator() -> list[str]:
     runs += [(top, [*sorted(flow.glob("flow_*.v")), ram], []) for top in ("flow_scheduler", "flow_pool")]
     runs.append(("link", [*sorted(flow.glob("link*.v")), flow / "receive_ring.v", ram], []))
     runs.append(("panel_client", [flow / "panel_client.v", flow / "link_crc.v", *uart], []))
+    link = ROOT / "tb" / "hardwired" / "hardwired_link.v"
+    runs += [("hardwired_link", [link], [f"-GHOST={host}", "-GSTATE=1000", "-GINPUTS=33"]) for host in (0, 1)]
     for top, sources, options in runs:
         found.append(output([VERILATOR, "--lint-only", "-Wall", *INCLUDE, *options,
                              "--top-module", top, *map(str, sources)]))

@@ -30,6 +30,7 @@ module hardwired_link #(
 
   localparam integer GROUPS = (STATE + 15) / 16;
   localparam integer BLOCKS = (GROUPS + 15) / 16;  // of 16 groups
+  localparam integer LINE_BITS = $clog2(16 * BLOCKS);
   localparam integer PADDED = 256 * BLOCKS;
   localparam integer CONTROL = 33;  // 32 write, 31:16 address, 15:0 data
 
@@ -62,6 +63,8 @@ module hardwired_link #(
       reg [15:0] read_q;
       wire [PADDED-1:0] now = {{PADDED - STATE{1'b0}}, state_i};
       wire [16*GROUPS-1:0] next;
+      wire [15:0] line = {command_q[31:20], 4'b0};
+      wire unused = &{1'b0, line, command_q[CONTROL-1], next};
       genvar g;
       genvar b;
       for (b = 0; b < BLOCKS; b = b + 1) begin : gen_block
@@ -75,12 +78,13 @@ module hardwired_link #(
         if (shift_q) control_q <= {control_q[CONTROL-2:0], shift_in_q[INPUTS-1]};
         if (frame_q) command_q <= control_q;
         write_q <= frame_q & control_q[CONTROL-1];
-        read_q <= block_q[{command_q[31:20], 4'b0}+:16];
+        read_q <= block_q[line[LINE_BITS-1:0]+:16];
       end
       assign state_load_o = write_q & ~busy_i;
       assign state_o = next[STATE-1:0];
       assign sdo_o = out_q[OUTPUTS-1] ^ (^read_q);
     end else begin : gen_pins
+      wire unused = &{1'b0, busy_i, state_i};
       assign state_load_o = 1'b0;
       assign state_o = {STATE{1'b0}};
       assign sdo_o = out_q[OUTPUTS-1];

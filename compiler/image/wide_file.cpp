@@ -74,7 +74,8 @@ void check_wide(const Image& image) {
   const wide::Machine* machine = wide::find_machine(wide.slots);
   require(machine != nullptr, "number of slots");
   const auto steps = static_cast<int>(wide.code.size());
-  require(steps <= machine->steps && wide.origins.size() == wide.code.size(), "number of steps");
+  require(steps >= 1 && steps <= machine->steps && wide.origins.size() == wide.code.size(),
+          "number of steps");
   wide::Step decoded;
   decoded.bits.resize(machine->slots);
   decoded.words.resize(machine->units);

@@ -90,8 +90,8 @@ const BadTrace kBad[] = {
     {"NoProgram", R"({"rung_trace":1})", "t:1:1: error: it has no \"program\"\n"},
     {"BadTick", R"({"rung_trace":1,"program":"","dialect":"","tick_ms":-1,"mpu":1})",
      "t:1:1: error: \"tick_ms\" is out of range\n"},
-    {"BadMpu", R"({"rung_trace":1,"program":"","dialect":"","tick_ms":1,"mpu":4})",
-     "t:1:1: error: \"mpu\" is not between 0 and 3\n"},
+    {"BadMpu", R"({"rung_trace":1,"program":"","dialect":"","tick_ms":1,"mpu":5})",
+     "t:1:1: error: \"mpu\" is not between 0 and 4\n"},
     {"CutOff", after_header(R"({"scan":0,"clocks":nul)"),
      "t:2:1: error: not JSON at its character 23\n"},
     {"NoScan", after_header("{}"), "t:2:1: error: it has no \"scan\"\n"},
@@ -222,6 +222,38 @@ TEST(TraceComparison, WholeTraces) {
   ASSERT_TRUE(compare_traces(mpu, other));
   EXPECT_EQ(describe(*compare_traces(mpu, other)),
             "scan 0: end of the trace: expected 1 scans, got 0 scans");
+}
+
+TEST(TraceComparison, MergedTracesAreComparedByTheEndsOfScans) {
+  Trace all{{"p", "fx", 10000, 0}, {scan_of({{"M0", 1}, {"M0", 0}, {"M1", 1}})}};
+  Trace merged{{"p", "fx", 10000, 4}, {scan_of({{"M1", 1}, {"M0", 0}})}};
+  ASSERT_TRUE(compare_traces(all, merged));
+  merged.header.slots = 8;
+  merged.header.merged = true;
+  EXPECT_FALSE(compare_traces(all, merged));
+  EXPECT_FALSE(compare_traces(merged, all));
+  Trace wrong = merged;
+  wrong.scans[0].writes[1].value = 1;
+  ASSERT_TRUE(compare_traces(all, wrong));
+  EXPECT_EQ(compare_traces(all, wrong)->device, "M0");
+  // Clocks: of as many slots and the same way to compile only.
+  Trace slower = merged;
+  merged.scans[0].clocks = 7;
+  slower.scans[0].clocks = 8;
+  EXPECT_TRUE(compare_traces(merged, slower));
+  slower.header.slots = 4;
+  EXPECT_FALSE(compare_traces(merged, slower));
+  // And the header says it in the file.
+  Diagnostics diagnostics;
+  const auto back = read_trace(to_json_lines(merged), "t", diagnostics);
+  ASSERT_TRUE(back);
+  EXPECT_EQ(back->header, merged.header);
+  for (const char* wrong_header :
+       {R"({"rung_trace":1,"program":"p","dialect":"fx","tick_ms":10,"mpu":4,"slots":"8"})",
+        R"({"rung_trace":1,"program":"p","dialect":"fx","tick_ms":10,"mpu":4,"merged":1})",
+        R"({"rung_trace":1,"program":"p","dialect":"fx","tick_ms":10,"mpu":5})"}) {
+    EXPECT_FALSE(read_trace(std::string(wrong_header) + "\n", "t", diagnostics)) << wrong_header;
+  }
 }
 
 TEST(TraceRecorder, ListsWhatChanged) {

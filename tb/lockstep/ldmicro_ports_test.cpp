@@ -137,20 +137,19 @@ TEST_P(Ports, AreLeftAsTheReferenceLeavesThem) {
 
 TEST(WidePorts, AreLeftAsTheReferenceLeavesThem) {
   const Program source = program();
-  for (const int slots : {4, 8, 16}) {
-    for (const bool merge : {true, false}) {
-      SCOPED_TRACE(testing::Message() << slots << " slots, merge " << merge);
-      CompileOptions options;
-      options.mpu = isa::Mpu::Mpu4;
-      options.slots = slots;
-      options.merge = merge;
-      Diagnostics diagnostics;
-      const auto compiled = compile(source, options, diagnostics);
-      ASSERT_TRUE(compiled);
-      const LoadedMachine loaded = load_machine(compiled->image);
-      run(source, *loaded.machine);
-      if (HasFatalFailure()) return;
-    }
+  static constexpr std::pair<int, bool> kWays[] = {{4, true}, {8, false}, {16, true}};
+  for (const auto& [slots, merge] : kWays) {
+    SCOPED_TRACE(testing::Message() << slots << " slots, merge " << merge);
+    CompileOptions options;
+    options.mpu = isa::Mpu::Mpu4;
+    options.slots = slots;
+    options.merge = merge;
+    Diagnostics diagnostics;
+    const auto compiled = compile(source, options, diagnostics);
+    ASSERT_TRUE(compiled);
+    const LoadedMachine loaded = load_machine(compiled->image);
+    run(source, *loaded.machine);
+    if (HasFatalFailure()) return;
   }
 }
 

@@ -77,6 +77,13 @@ TEST(WideImage, WhatTheProcessorDoesNotHaveIsRefused) {
          i.wide->code.resize(513, i.wide->code[0]);
          i.wide->origins.resize(513, i.wide->origins[0]);
        }},
+      {"no steps",
+       [](Image& i) {
+         i.clocks -= static_cast<std::int64_t>(i.wide->code.size());
+         i.wide->code.clear();
+         i.wide->origins.clear();
+         i.wide->writes.clear();
+       }},
       {"first latch row", [](Image& i) { i.wide->first_latch_row = -1; }},
       {"last latch row", [](Image& i) { i.wide->first_latch_row = 1016; }},
       {"latched bits", [](Image& i) { i.wide->latched.resize(9, 0); }},

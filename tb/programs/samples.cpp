@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <sstream>
 #include <stdexcept>
 #include <vector>
 
@@ -220,6 +221,23 @@ const SampleShape& sample_shape(int number) {
 
 std::string sample_program(int number, int density, std::uint64_t seed) {
   return Generator(sample_shape(number), density, seed).generate();
+}
+
+std::string long_program(bool contacts_only) {
+  std::string text;
+  int coil = 0;
+  for (std::uint64_t seed = 1; seed <= 14; ++seed) {
+    std::istringstream lines(sample_program(1, 30, seed));
+    for (std::string line; std::getline(lines, line);) {
+      const std::string op = line.substr(0, line.find(' '));
+      const bool output =
+          op == "OUT" || op == "MV" || op == "ADD" || op == "SUB" || op == "MUL" || op == "DIV";
+      if (op == "END") continue;
+      text += contacts_only && output ? fmt::format("OUT M{}", 1000 + coil++ % 6680) : line;
+      text += "\n";
+    }
+  }
+  return text + "END\n";
 }
 
 }  // namespace rung

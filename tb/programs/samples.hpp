@@ -32,4 +32,8 @@ inline constexpr int kDensities[] = {10, 30, 60};
 // begins with LD or LDI and ends in one output or more; one coil in twenty is written before.
 std::string sample_program(int number, int density, std::uint64_t seed);
 
+// 14 stand-ins of Sample 1 behind each other: 19,950 instructions. `contacts_only`: outputs are
+// coils, as many different ones as there are.
+std::string long_program(bool contacts_only);
+
 }  // namespace rung

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <functional>
 
+#include "driver/compile.hpp"
 #include "logic/logic.hpp"
 #include "lower/lower.hpp"
 #include "melsec/list.hpp"
@@ -107,6 +109,22 @@ void row(const char* name, int slots, const std::function<void(wide::Machine&)>&
   fmt::print("\n");
 }
 
+// Seconds, and steps of the result.
+std::pair<double, std::size_t> compile_long_program() {
+  Diagnostics diagnostics;
+  const auto source = decode_text(long_program(true), "long.il", diagnostics);
+  const auto program = parse_list(*source, Dialect::Paper, diagnostics);
+  if (!program) throw std::runtime_error("the long program is refused");
+  CompileOptions options;
+  options.mpu = isa::Mpu::Mpu4;
+  options.slots = 16;
+  const auto begin = std::chrono::steady_clock::now();
+  const auto compiled = compile(*program, options, diagnostics);
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+  if (!compiled) throw std::runtime_error("the long program does not fit");
+  return {took.count(), compiled->image.length()};
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -126,8 +144,8 @@ int main(int argc, char** argv) {
         "without merging", slots, [](auto&) {}, false);
     row("4 operands a look-up", slots, [](auto& m) { m.arity = 4; });
     row("a quarter as many word units", slots, [](auto& m) { m.units = m.slots / 4; });
-    row("results of others 1 step later", slots, [](auto& m) { m.other = 4; });
-    row("results of others 2 steps earlier", slots, [](auto& m) { m.other = 1; });
+    row("results of others 1 step later", slots, [](auto& m) { m.other += 1; });
+    row("results of others 2 steps earlier", slots, [](auto& m) { m.other -= 2; });
     row("MUL 3 steps", slots, [](auto& m) { m.mul = 3; });
     row("DIV 19 steps, pipelined", slots, [](auto& m) { m.div = 19; });
     row("DIV 19 steps, one at a time in every unit", slots, [](auto& m) {
@@ -137,4 +155,10 @@ int main(int argc, char** argv) {
     row("1 divider", slots, [](auto& m) { m.dividers = 1; });
     row("4 dividers", slots, [](auto& m) { m.dividers = 4; });
   }
+  const auto [took, steps] = compile_long_program();
+  fmt::print(
+      "\nTime to compile, all passes and checks, on the machine that made this page, which other "
+      "jobs may share: 19,950 instructions of\ncontacts and coils for 16 slots in {:.2f} s, into "
+      "{} steps.\n",
+      took, steps);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random programs on MPU4 beside the reference: basic instructions, and all of MELSEC. Every fourth
-// one on the RTL, the others on the simulator, which the RTL must equal row by row.
+// Random programs on MPU4 beside the reference: basic instructions, all of MELSEC, all of LDmicro.
+// Every fourth one on the RTL, the others on the simulator, which the RTL must equal row by row.
 //
 // RUNG_SEED=N runs program N alone; RUNG_COUNT=N runs that many programs of each kind.
 #include <fmt/format.h>
@@ -8,6 +8,7 @@
 
 #include <cstdlib>
 
+#include "agree/ldmicro_case.hpp"
 #include "melsec/list.hpp"
 #include "programs/melsec_stimulus.hpp"
 #include "programs/random_melsec.hpp"
@@ -19,7 +20,7 @@
 namespace rung::tb {
 namespace {
 
-constexpr std::uint64_t kDefaultCount = 60;
+constexpr std::uint64_t kDefaultCount = 300;
 constexpr int kScans = 6;
 
 std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
@@ -104,7 +105,21 @@ std::string run_melsec(std::uint64_t seed) {
   return problem;
 }
 
+std::string run_ldmicro(std::uint64_t seed) {
+  std::string messages;
+  const std::optional<Case> one = make_ldmicro_case(seed, ldmicro_text_of(seed), messages);
+  if (!one) return "the generator made a file that is refused: " + messages;
+  Stimulus stimulus;
+  for (const auto& events : one->events) stimulus.append(events);
+  WideHow how = how_of(seed);
+  how.tick_us = one->tick_us;
+  const std::string problem = wide_difference(one->program, stimulus, how);
+  return problem.find("split the program") != std::string::npos ? "" : problem;
+}
+
 TEST(WideRandom, BasicProgramsRunAsTheReference) { for_seeds("*Basic*", run_basic); }
+
+TEST(WideRandom, LdmicroProgramsRunAsTheReference) { for_seeds("*Ldmicro*", run_ldmicro); }
 
 TEST(WideRandom, MelsecProgramsRunAsTheReference) { for_seeds("*Melsec*", run_melsec); }
 

@@ -169,6 +169,11 @@ flow-report: ## the paper's experiment with 1 to 100 flow tasks: reports/flow.md
 programs: build ## real lists and LDmicro programs: which run, what each instruction costs: reports/programs.md
 	@$(PYTHON) scripts/programs_report.py
 
+.PHONY: formal
+formal: ## prove what tb/formal/proofs.toml lists, with faults that the proofs refuse: reports/formal.md
+	@scripts/setup.sh flow
+	@$(VENV)/python scripts/formal.py --jobs $(JOBS)
+
 .PHONY: hardwired
 hardwired: build ## programs as hard-wired logic: checked, area, clock, time of a change: reports/hardwired.md
 	@scripts/setup.sh flow

@@ -103,7 +103,8 @@ module wide_operand_proof #(
   wire special = &row_q[3][ROW_BITS-1:NEAR_BITS];
   wire is_other = other_q[3] || (special && near == `RUNG_WIDE_NEAR_FLAG);
   wire is_near = special && !other_q[3];
-  wire is_row = NEAR_ONLY == 0 && word_known_q && !special && !is_other && row_q[3][ADDR_BITS-1:0] == watched;
+  wire is_row = NEAR_ONLY == 0 && word_known_q && !special && !is_other &&
+      row_q[3][ADDR_BITS-1:0] == watched;
   // distance.memory - 1: the read meets the write, and nobody may want it.
   wire meets = we_q[4] && addr_q[4] == watched;
 
@@ -127,13 +128,20 @@ module wide_operand_proof #(
   // Each way to a value is used with one that is not 0.
   always @* begin
     if (age_q > 4'd6) begin
-      cover (is_row && !meets && value != {WIDTH{1'b0}});
-      cover (is_row && we_q[3] && addr_q[3] == watched && value != bus_q[3][lane*WIDTH+:WIDTH]);
       cover (is_near && near == `RUNG_WIDE_NEAR_OWN_FIRST && value != own_q[1]);
       cover (is_near && near == `RUNG_WIDE_NEAR_BUS_LAST && value != bus_q[3][lane*WIDTH+:WIDTH]);
       cover (is_other && value != {WIDTH{1'b0}});
     end
   end
+
+  generate
+    if (NEAR_ONLY == 0) begin : g_row
+      always @* begin
+        cover (is_row && !meets && value != {WIDTH{1'b0}});
+        cover (is_row && we_q[3] && addr_q[3] == watched && value != bus_q[3][lane*WIDTH+:WIDTH]);
+      end
+    end
+  endgenerate
 
 endmodule
 

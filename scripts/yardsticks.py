@@ -41,10 +41,11 @@ def sample_list(sample: int, seed: int) -> Path:
     return listing
 
 
-def compile_for(listing: Path, mpu: int, config: str) -> dict[str, Any]:
-    """What `rung compile` counts; of a program that does not fit, the steps that it needs."""
+def compile_for(listing: Path, mpu: int, config: str, slots: int | None = None) -> dict[str, Any]:
+    """What `rung compile` counts; of a program that does not fit, the steps that it needs. `slots`: of MPU4."""
     run = subprocess.run([str(program.RUNG), "compile", str(listing), "--mpu", str(mpu), "--config",
-                          config, "--json"], capture_output=True, text=True, check=False)
+                          config, "--json", *([] if slots is None else ["--slots", str(slots)])],
+                         capture_output=True, text=True, check=False)
     too_large = re.search(r"needs (\d+) steps; configuration", run.stderr)
     if run.returncode == 1 and too_large:
         return {"fits": False, "steps": int(too_large.group(1))}

@@ -46,7 +46,8 @@ def render(report: dict[str, Any]) -> str:
     return "\n".join([
         "# The processors on standard cells", "",
         f"Made by `{report['made_by']}`, {report['date']}. {tools_line(report)}. Cells: `{report['liberty']['file']}` "
-        f"({report['liberty']['process']}), the Debian package qflow-tech-osu018. Processors with {sizes}.", "",
+        f"({report['liberty']['process']}), the Debian package qflow-tech-osu018. MPU1 to MPU3 with {sizes}; "
+        "MPU4 with the sizes of hdl/isa/wide.toml, 512 steps among them.", "",
         "## What is measured and what is not", "",
         "Measured: the gates that Yosys and abc choose, their area by the library, and the longest path between two clock "
         "edges by OpenSTA, memories included. Not there: a layout, a clock tree, scan chains, pads, margins for slow "

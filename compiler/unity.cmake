@@ -20,7 +20,7 @@ set(RUNG_ALONE
     tb/programs/random_ldmicro tb/programs/random_melsec tb/programs/shrink_ldmicro
     compiler/cli/device_command tb/device/line_test tb/firmware/native tb/flow_units/probe tb/flow_units/outside
     tb/flowchart/refused_header_test tb/flowchart/refused_step_test tb/fuzz/bytecode_reader
-    tb/wide_rtl/random_test)
+    tb/passes/wide_image_test tb/wide_rtl/random_test)
 list(TRANSFORM RUNG_ALONE PREPEND ${RUNG_ROOT}/)
 list(TRANSFORM RUNG_ALONE APPEND .cpp)
 function(rung_alone folder)

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The headline table of README.md, from reports/area-timing.json and reports/yardsticks.json.
+"""The headline table of README.md, from reports/area-timing.json, wide-timing.json and yardsticks.json.
 
 usage: headline.py          rewrite the table in README.md
        headline.py --check  exit 1 if README.md does not say what the reports say
@@ -31,6 +31,19 @@ def our_row(mpu: int, area: dict[str, Any], sample: dict[str, Any]) -> str:
             f"{1000 * time / run['instructions']:.1f} | {results['ecp5']['logic_cells']} | {hx8k:.0f} |")
 
 
+def wide_row(result: dict[str, Any]) -> str:
+    """MPU4 with so many slots: the same program, which is the stand-in of seed 1."""
+    run = next(sample for sample in result["samples"] if sample["seed"] == 1)
+    mhz = result["fmax_mhz"]["median"]
+    time = run["clocks"] / mhz
+    return (f"| **MPU4**, {result['slots']} slots | {run['steps']} | {run['clocks']} | {mhz:.0f} | {time:.2f} | "
+            f"{1000 * time / run['instructions']:.2f} | {result['logic_cells']} | |")
+
+
+def wide_seeds(wide: dict[str, Any]) -> str:
+    return "; ".join(f"{result['slots']} slots {', '.join(result['fmax_mhz']['seeds'])}" for result in wide["results"])
+
+
 def core_row(core: dict[str, Any], sample: dict[str, Any], instructions: int) -> str:
     """A soft core in the same ECP5, scan after scan."""
     run = next(r for r in sample["cores"] if r["name"] == core["name"])
@@ -46,18 +59,19 @@ def seeds(report: dict[str, Any]) -> str:
 
 
 def table() -> str:
-    area, yard = load("area-timing.json"), load("yardsticks.json")
+    area, wide, yard = load("area-timing.json"), load("wide-timing.json"), load("yardsticks.json")
     sample = yard["samples"][0]
     instructions = next(r["instructions"] for r in sample["rung"] if r["fits"])
     host = sample["host"]
     rows = [our_row(mpu, area, sample) for mpu in (1, 2, 3)]
+    rows += [wide_row(result) for result in wide["results"]]
     rows += [core_row(core, sample, instructions) for core in yard["cores"]]
     return "\n".join([
         f"| Sample 1, {instructions} instructions | steps | clocks a scan | ECP5 MHz | scan, us | "
         "ns an instruction | logic cells | HX8K MHz |",
         "|---|--:|--:|--:|--:|--:|--:|--:|", *rows, "",
         f"ECP5-85F grade 6, {area['tools']['yosys']}, nextpnr {area['tools']['nextpnr-ecp5']}, "
-        f"median of seeds {seeds(area)} (the soft cores {seeds(yard)}), {area['date']}. "
+        f"median of seeds {seeds(area)} (the soft cores {seeds(yard)}; MPU4, {wide['date']}: {wide_seeds(wide)}), {area['date']}. "
         "Logic cells of the processors include serial link, UART and PWM around them; the rest is in [reports/area-timing.md](reports/area-timing.md). A server core "
         f"({yard['host']['cpu']}, gcc -O2) takes {host['median_ns'] / 1000:.2f} us a scan, and the "
         f"worst of {host['scans']} scans took {host['worst_ns'] / 1000:.0f} us: faster on average, and "

@@ -139,7 +139,7 @@ th, td { border: 1px solid var(--line); padding: 2px 9px; text-align: right; } t
 
 def document(title: str, sections: Sequence[str]) -> str:
     """The page; its table of contents has what is there."""
-    names = {"scan": "scan time", "steps": "steps", "area": "area and clock", "boards": "boards", "latency": "latency",
+    names = {"scan": "scan time", "steps": "steps", "area": "area and clock", "wide": "wide processor", "boards": "boards", "latency": "latency",
              "flow": "flow tasks", "cells": "standard cells", "tradeoff": "the whole trade"}
     links = "".join(f'<a href="#{key}">{name}</a>' for key, name in names.items() if any(f'id="{key}"' in part for part in sections))
     return ('<!doctype html>\n<html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">'

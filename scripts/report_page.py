@@ -74,6 +74,19 @@ def area_and_clock(area: Json) -> str:
             + table(head, rows) + "</section>")
 
 
+def wide(record: Json) -> str:
+    """MPU4 by its slots."""
+    times = [Bar(f"MPU4, {row['slots']} slots", row["instruction_ns"]) for row in record["results"]]
+    rates = [Bar(f"MPU4, {row['slots']} slots", row["fmax_mhz"]["median"], low=row["fmax_mhz"]["min"], high=row["fmax_mhz"]["max"])
+             for row in record["results"]]
+    rows = [[row["slots"], ", ".join(row["fmax_mhz"]["seeds"]), row["logic_cells"], row["block_rams"], row["dsps"], row["clocks"],
+             row["fmax_mhz"]["median"], row["scan_ns"], row["instruction_ns"], row["goal_ns"] or ""] for row in record["results"]]
+    head = ["slots", "seeds", "logic cells", "block RAMs", "DSPs", "clocks a scan", "MHz median", "ns a scan", "ns an instruction", "goal"]
+    return (f'<section id="wide"><h2>The wide processor</h2><p>Sample 1 with its input latch (<a href="wide-timing.md">wide-timing.md</a>). {sentence(record)}</p>'
+            + chart.columns(["<h3>An instruction of the source</h3>" + chart.bars(times, "ns"), "<h3>Clock</h3>" + chart.bars(rates, "MHz")])
+            + table(head, rows) + "</section>")
+
+
 def boards(record: Json) -> str:
     """The controller on its boards, by its parts."""
     stacks, rows = [], []
@@ -150,7 +163,7 @@ def read(name: str) -> Json | None:
 
 def page() -> str:
     area, yard, board, reliability = read("area-timing"), read("yardsticks"), read("boards"), read("reliability")
-    flow, cells = read("flow"), read("cells")
+    flow, cells, wider = read("flow"), read("cells"), read("wide-timing")
     sections = []
     if area and yard:
         sections.append(scan_time(area, yard))
@@ -158,6 +171,8 @@ def page() -> str:
         sections.append(steps(yard))
     if area:
         sections.append(area_and_clock(area))
+    if wider:
+        sections.append(wide(wider))
     if board:
         sections.append(boards(board))
     if reliability:

@@ -14,6 +14,7 @@ class Generator {
       : random_(random),
         slots_(slots),
         units_(slots / 2),
+        dividers_(rung::wide::find_machine(slots)->dividers),
         length_(length),
         state_(static_cast<std::size_t>(units_)) {
     program_.latch_rows = below(13);

@@ -141,8 +141,9 @@ TEST(FlowImageFile, TheVersionTellsOfFlows) {
   for (const std::string& file : files) {
     Diagnostics diagnostics;
     EXPECT_FALSE(image::from_bytes(file, "x.img", diagnostics));
-    EXPECT_EQ(diagnostics.all().at(0).what,
-              "the image holds what this program cannot use: flow tasks and the version");
+    EXPECT_EQ(
+        diagnostics.all().at(0).what,
+        "the image holds what this program cannot use: processor, flow tasks and the version");
   }
 }
 

@@ -34,9 +34,8 @@ def processors() -> list[tuple[int, int | None, Cells]]:
         (mpu, None, Cells(f"mpu{mpu}", f"mpu{mpu}", (HDL / f"mpu{mpu}.v", *core), include,
                           SIZES + (LATENCIES if mpu == 1 else LATENCIES[:2]))) for mpu in (1, 2, 3)]
     wide = tuple(sorted((HDL / "wide").glob("*.v")))
-    for slots, (word_addr, dividers) in WIDE.items():
-        designs.append((4, slots, Cells(f"mpu4-{slots}", "mpu4", (*wide, *core), include,
-                                        (("SLOTS", slots), ("WORD_ADDR", word_addr), ("DIVIDERS", dividers)))))
+    for slots, parameters in WIDE.items():
+        designs.append((4, slots, Cells(f"mpu4-{slots}", "mpu4", (*wide, *core), include, tuple(parameters.items()))))
     return designs
 
 

@@ -27,6 +27,21 @@ def numbers(table: dict) -> list[tuple[str, int]]:
     return [(f"{group}_{key}", value) for group in GROUPS for key, value in table[group].items()]
 
 
+def parameters(table: dict) -> dict[int, dict[str, int]]:
+    """Of hdl/wide/mpu4.v, by its slots, where they differ."""
+    return {config["slots"]: {"SLOTS": config["slots"], "WORD_ADDR": (config["word_rows"] - 1).bit_length(),
+                              "DIVIDERS": config["dividers"]} for config in table["config"].values()}
+
+
+def cmake(table: dict) -> str:
+    """As options of Verilator."""
+    sizes = parameters(table)
+    out = [f"set(RUNG_WIDE_SLOTS {' '.join(map(str, sizes))})"]
+    out += [f"set(RUNG_WIDE_{slots}_PARAMETERS {' '.join(f'-G{name}={value}' for name, value in of.items())})"
+            for slots, of in sizes.items()]
+    return "\n".join(out) + "\n"
+
+
 def verilog(table: dict, notice: str) -> str:
     out = [f"// SPDX-License-Identifier: Apache-2.0\n// {notice}",
            "`ifndef RUNG_WIDE_VH\n`define RUNG_WIDE_VH\n"]

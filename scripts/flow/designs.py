@@ -7,11 +7,11 @@ import dataclasses
 from dataclasses import dataclass
 from pathlib import Path
 
+import gen_wide
 from flow import tools
 
 MPUS = (1, 2, 3)
-# MPU4 by its slots: address bits of the rows of words, units with a divider (hdl/isa/wide.toml)
-WIDE = {4: (10, 1), 8: (10, 2), 16: (9, 2)}
+WIDE = gen_wide.parameters(gen_wide.load(tools.ROOT / "hdl" / "isa"))  # MPU4 by its slots
 
 
 @dataclass(frozen=True)
@@ -126,9 +126,8 @@ def wide_design(slots: int) -> Design:
     sources = sorted((hdl / "wide").glob("*.v"))
     sources += [hdl / "core" / f"{name}.v" for name in ("alu", "bank_ram", "muldiv")]
     sources += [hdl / "boards" / f"{name}.v" for name in ("power_on_reset", "serial_link", WIDE_BOARD.name)]
-    word_addr, dividers = WIDE[slots]
     return Design(f"{WIDE_BOARD.name}-{slots}", WIDE_BOARD.name, tuple(sources), (tools.GENERATED,),
-                  (("SLOTS", slots), ("WORD_ADDR", word_addr), ("DIVIDERS", dividers)), WIDE_BOARD)
+                  tuple(WIDE[slots].items()), WIDE_BOARD)
 
 
 def plc_design(board: Board) -> Design:

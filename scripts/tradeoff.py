@@ -148,8 +148,8 @@ def page(rows: list[Row], notes: list[str]) -> str:
         "instruction at a time to logic of its own, beside soft cores in the same FPGA and a server core.", "",
         "![ns a scan, worst ns a scan, area, time to change a program](tradeoff.svg)", "",
         *head, *lines, "",
-        "A processor's and hard-wired logic's worst scan is its every scan. The latching of inputs and the "
-        "refresh of outputs are in none of the times. Logic cells of the processors include the serial link of their board tops, those "
+        "A processor's and hard-wired logic's worst scan is its every scan. The refresh of outputs is in none of the times, the latching "
+        "of inputs only in MPU4's. Logic cells of the processors include the serial link of their board tops, those "
         "of hard-wired programs the shift registers around them, and a host that reads and writes every device. "
         "Downloads are in none of the times of a change.", "",
         *(["Left out: " + "; ".join(notes) + ".", ""] if notes else []),

@@ -20,6 +20,12 @@ async function look(options, act) {
     assert.equal(await view.stop(), 0, view.errors);
   }
 }
+
+// The list of devices filtered to one row: it is drawn a frame after the filter is typed.
+async function only(page, words) {
+  await page.fill('#filter', words);
+  await page.waitForFunction(() => document.querySelectorAll('.device').length === 1);
+}
 const MOTOR = [program('motor.il'), '--comments', program('motor.csv')];
 
 test('the ladder is drawn, with names, comments and the source comment', async () => {
@@ -156,8 +162,7 @@ test('search goes to where a device is written, then to where it is read', async
 
 test('the list of devices is filtered, and its rows act', async () => {
   await look(MOTOR, async (page) => {
-    await page.fill('#filter', 'start');
-    await page.waitForFunction(() => document.querySelectorAll('.device').length === 1);
+    await only(page, 'start');
     await page.locator('.device').click();
     await becomes(page, 'X0', 1);
     await page.fill('#filter', 'on');
@@ -345,7 +350,7 @@ test('flow tasks are flowcharts, with the step that each is at', async () => {
     await page.click('#step');
     await page.waitForFunction(() => document.querySelectorAll('.step.active').length === 1);
     assert.deepEqual(await active(), ['IDLE']);
-    await page.fill('#filter', 'X0');
+    await only(page, 'X0');
     await page.locator('.device').click();
     for (let i = 0; i < 2; i++) await page.click('#step');
     await page.waitForFunction(() => document.querySelectorAll('.step.active').length === 2);

@@ -35,7 +35,7 @@ FLOW    := --mpu $(MPU) --board $(BOARD)
 help: ## this list
 	@echo 'make TARGET [NAME=VALUE ...]'
 	@grep -E '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | \
-	  awk -F ':.*## ' '{ printf "  %-11s %s\n", $$1, $$2 }'
+	  awk -F ':.*## ' '{ printf "  %-12s %s\n", $$1, $$2 }'
 	@echo 'Values (defaults): MPU="$(MPU)" BOARD="$(BOARD)" SEEDS="$(SEEDS)" CONFIG=$(CONFIG) JOBS=$(JOBS)'
 
 # One CMake build directory: configure if needed, then build.
@@ -69,7 +69,7 @@ test: ## all tests, built with sanitizers
 	@scripts/setup.sh test
 	$(call cmake_build,build/test,-DCMAKE_BUILD_TYPE=RelWithDebInfo -DRUNG_SANITIZE=ON -DRUNG_UNITY=ON)
 	@$(CTEST) --test-dir build/test -j $(JOBS) --output-on-failure --no-tests=error \
-	  --output-log build/logs/test.log
+	  --output-log build/logs/test.log --output-junit results.xml
 
 .PHONY: reliability
 reliability: ## the controller with damaged programs, wrong frames, power cuts: reports/reliability.md
@@ -173,6 +173,10 @@ programs: build ## real lists and LDmicro programs: which run, what each instruc
 formal: ## prove what tb/formal/proofs.toml lists, with faults that the proofs refuse: reports/formal.md
 	@scripts/setup.sh flow
 	@$(VENV)/python scripts/formal.py --jobs $(JOBS)
+
+.PHONY: verification
+verification: test ## each promise of the design with its evidence, from the tests and reports: reports/verification.md
+	@$(PYTHON) scripts/verification.py
 
 .PHONY: hardwired
 hardwired: build ## programs as hard-wired logic: checked, area, clock, time of a change: reports/hardwired.md

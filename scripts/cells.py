@@ -14,7 +14,7 @@ from typing import Any
 
 from flow import cells, cells_report, tools
 from flow.cells import Cells
-from flow.designs import WIDE
+from flow.designs import WIDE, wide_sources
 from flow.synthesis import yosys_version
 from yardsticks import compile_for, sample_list
 
@@ -33,9 +33,8 @@ def processors() -> list[tuple[int, int | None, Cells]]:
     designs: list[tuple[int, int | None, Cells]] = [
         (mpu, None, Cells(f"mpu{mpu}", f"mpu{mpu}", (HDL / f"mpu{mpu}.v", *core), include,
                           SIZES + (LATENCIES if mpu == 1 else LATENCIES[:2]))) for mpu in (1, 2, 3)]
-    wide = tuple(sorted((HDL / "wide").glob("*.v")))
     for slots, parameters in WIDE.items():
-        designs.append((4, slots, Cells(f"mpu4-{slots}", "mpu4", (*wide, *core), include, tuple(parameters.items()))))
+        designs.append((4, slots, Cells(f"mpu4-{slots}", "mpu4", tuple(wide_sources()), include, tuple(parameters.items()))))
     return designs
 
 

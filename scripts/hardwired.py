@@ -20,7 +20,7 @@ from pathlib import Path
 from typing import Any, Callable
 
 from flow import area, equivalence, hardwired_report, place_route, synthesis, tools
-from flow.designs import BOARDS, Board, Design
+from flow.designs import WIDE_BOARD, Board, Design
 from flow.place_route import nextpnr_version
 from flow.synthesis import yosys_version
 
@@ -28,12 +28,8 @@ RUNG = tools.BUILD / "bin" / "rung"
 SAMPLES = tools.BUILD / "bin" / "rung-samples"
 FOLDER = tools.BUILD / "hardwired"
 TOP = tools.ROOT / "tb" / "hardwired"
-ULX3S = BOARDS["ulx3s"]
-PARTS: dict[str, Board] = {
-    "25k": dataclasses.replace(ULX3S, title="ECP5-25k grade 6", constraints=None, config="",
-                               device=("--25k", "--package", "CABGA256", "--speed", "6")),
-    "85k": dataclasses.replace(ULX3S, title="ECP5-85F grade 6", constraints=None, config=""),
-}
+# With the router for what is large: nextpnr's other one did not end.
+BOARD = dataclasses.replace(WIDE_BOARD, name="hardwired", constraints=("--lpf", tools.ROOT / "constraints" / "hardwired.lpf"))
 WORD = re.compile(r"^(MV|ADD|SUB|MUL|DIV)\b.*$", re.MULTILINE)
 
 
@@ -76,17 +72,16 @@ def clocks_of(verilog: Path) -> int:
     return int(found.group(1)) if found else 1
 
 
-def design_of(name: str, verilog: Path, part: str, host: bool) -> Design:
+def design_of(name: str, verilog: Path) -> Design:
+    """The module with a host that reads and writes every device, as the processors offer it."""
     text = verilog.read_text()
     widths = {port: int(high) + 1 for high, port in
               re.findall(r"^\s+(?:input |output) wire \[(\d+):0\] (\w+)", text, re.MULTILINE)}
-    parameters = (("HOST", int(host)), ("INPUTS", widths["in_i"]), ("CLOCKS", widths["clocks_i"]),
-                  ("TICKS", widths["ticks_i"]), ("OUTPUTS", widths["out_o"]),
-                  ("STATE", widths["state_o"]))
+    parameters = (("HOST", 1), ("INPUTS", widths["in_i"]), ("CLOCKS", widths["clocks_i"]),
+                  ("TICKS", widths["ticks_i"]), ("OUTPUTS", widths["out_o"]), ("STATE", widths["state_o"]))
     sources = (verilog, TOP / "hardwired_top.v", TOP / "hardwired_link.v",
                tools.ROOT / "hdl" / "boards" / "power_on_reset.v")
-    return Design(f"{name}{'-host' if host else ''}{'-85k' if part == '85k' else ''}", "hardwired_top", sources, (), parameters,
-                  PARTS[part], kind="hardwired")
+    return Design(f"hardwired-{name}", "hardwired_top", sources, (), parameters, BOARD, kind="bit")
 
 
 def timed(step: Callable[[], Any]) -> dict[str, float]:
@@ -98,38 +93,29 @@ def timed(step: Callable[[], Any]) -> dict[str, float]:
             "cpu_s": round(after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime, 1)}
 
 
-def change(name: str, listing: Path) -> dict[str, Any]:
-    """What it takes from a changed list to a bitstream: nothing of an earlier run is used."""
-    verilog = translate(listing, None)
-    design = dataclasses.replace(design_of(f"change-{name}", verilog, "25k", False), kind="bit")
+def change(listing: Path, design: Design, seed: int) -> dict[str, Any]:
+    """What it takes from a changed list to a bitstream: nothing of an earlier run is used. Kept until the result is another."""
+    netlist, kept = design.folder / "netlist.json", design.folder / "change.json"
+    of = tools.digest([str(design.parameters), str(BOARD)], list(design.sources))
+    if kept.exists() and (steps := json.loads(kept.read_text())).pop("of") == of:
+        return steps
     shutil.rmtree(design.folder, ignore_errors=True)
-    family = design.board.family
     bitstream = design.folder / "program.bit"
-    files = {"{layout}": str(design.layout(1)), "{bitstream}": str(bitstream)}
-    pack = [files.get(word, word) for word in family.pack]
-    netlist = design.folder / "netlist.json"
-    return {"translate": timed(lambda: translate(listing, None)),
-            "synthesis": timed(lambda: synthesis.synthesise(design)),
-            "place_and_route": timed(lambda: place_route.place_and_route(design, netlist, 1)),
-            "pack": timed(lambda: tools.run(pack, tools.LOGS / f"pack-{design.name}.log")),
-            "bitstream_bytes": bitstream.stat().st_size}
+    pack = [part.format(layout=design.layout(seed), bitstream=bitstream) for part in BOARD.family.pack]
+    steps = {"translate": timed(lambda: translate(listing, None)),
+             "synthesis": timed(lambda: synthesis.synthesise(design)),
+             "place_and_route": timed(lambda: place_route.place_and_route(design, netlist, seed)),
+             "pack": timed(lambda: tools.run(pack, tools.LOGS / f"pack-{design.name}.log")),
+             "bitstream_bytes": bitstream.stat().st_size}
+    tools.write_file(kept, json.dumps({**steps, "of": of}))
+    return steps
 
 
-def measure(name: str, verilog: Path, part: str, host: bool, seeds: list[int], jobs: int) -> dict[str, Any]:
-    design = design_of(name, verilog, part, host)
-    record = {"program": name, "part": part, "host": host, "clocks": clocks_of(verilog)}
-    # Both parts get the same netlist.
-    netlist = synthesis.synthesise(design_of(name, verilog, "25k", host))
-    try:
-        record.update(fits=True, **area.measure(design, seeds, jobs, netlist))
-    except place_route.DoesNotFit as error:
-        record.update(fits=False, needs=error.needs)
-        tools.say(f"{name} {part}: does not fit")
-        return record
+def measure(name: str, design: Design, clocks: int, seeds: list[int], jobs: int) -> dict[str, Any]:
+    record = {"program": name, "clocks": clocks, **area.measure(design, seeds, jobs)}
     fmax = record["fmax_mhz"]["median"]
-    record["scan_ns"] = round(1000 * record["clocks"] / fmax, 1)
-    tools.say(f"{design.name}, {part}: {record['logic_cells']} cells, {record['clocks']} clocks at {fmax} MHz: "
-              f"{record['scan_ns']} ns a scan")
+    record["scan_ns"] = round(1000 * clocks / fmax, 1)
+    tools.say(f"{design.name}: {record['logic_cells']} cells, {clocks} clocks at {fmax} MHz: {record['scan_ns']} ns a scan")
     return record
 
 
@@ -154,8 +140,6 @@ def main() -> int:
     parser.add_argument("--seeds", type=int, nargs="+", default=[1, 2, 3])
     parser.add_argument("--jobs", type=int, default=2, help="runs of nextpnr at once")
     parser.add_argument("--only", nargs="+", metavar="PROGRAM", help="of sample1, sample1-bits, sample2, sample3")
-    parser.add_argument("--explore", type=float, nargs="+", metavar="NS",
-                        help="only print Sample 1 with these values of --path-ns")
     parser.add_argument("--prove", type=int, metavar="SCANS", help="only prove programs of several clocks")
     parser.add_argument("--render", action="store_true", help="write hardwired.md anew from hardwired.json")
     arguments = parser.parse_args()
@@ -167,20 +151,13 @@ def main() -> int:
     if arguments.prove:
         proofs(arguments.prove)
         return 0
-    if arguments.explore:
-        for path_ns in arguments.explore:
-            verilog = translate(files["sample1"], path_ns)
-            named = verilog.rename(FOLDER / f"sample1-{path_ns}ns.v")
-            measure(f"sample1-{path_ns}ns", named, "25k", True, arguments.seeds, arguments.jobs)
-        return 0
     report: dict[str, Any] = {
         "made_by": "make hardwired",
         "date": datetime.date.today().isoformat(),
         "tools": {"yosys": yosys_version(),
-                  "nextpnr-ecp5": nextpnr_version(ULX3S.family.nextpnr).removeprefix("nextpnr-")},
-        "options": f"{ULX3S.family.synth} {' '.join(ULX3S.family.nextpnr_options)}",
-        "parts": {part: board.title for part, board in PARTS.items()},
-        "seeds": arguments.seeds,
+                  "nextpnr-ecp5": nextpnr_version(BOARD.family.nextpnr).removeprefix("nextpnr-")},
+        "options": f"{BOARD.family.synth} {' '.join(BOARD.family.nextpnr_options)}",
+        "part": "ECP5-85F grade 6", "seeds": arguments.seeds,
         "results": [], "change": {}, "proofs": [],
     }
 
@@ -193,9 +170,9 @@ def main() -> int:
         if arguments.only and name not in arguments.only:
             continue
         verilog = translate(listing, None)
-        for part, host in (("25k", True), ("85k", True), ("25k", False)):
-            report["results"].append(measure(name, verilog, part, host, arguments.seeds, arguments.jobs))
-        report["change"][name] = change(name, listing)
+        design = design_of(name, verilog)
+        report["change"][name] = change(listing, design, arguments.seeds[0])
+        report["results"].append(measure(name, design, clocks_of(verilog), arguments.seeds, arguments.jobs))
         write()
     report["proofs"] = proofs(2)
     write()

@@ -120,12 +120,16 @@ def rung_design(mpu: int, board: Board) -> Design:
                   (("MPU", mpu),), board)
 
 
+def wide_sources() -> list[Path]:
+    """MPU4, and what it shares with the others."""
+    hdl = tools.ROOT / "hdl"
+    return sorted((hdl / "wide").glob("*.v")) + [hdl / "core" / f"{name}.v" for name in ("alu", "bank_ram", "muldiv")]
+
+
 def wide_design(slots: int) -> Design:
     """MPU4 with so many slots in its board top."""
-    hdl = tools.ROOT / "hdl"
-    sources = sorted((hdl / "wide").glob("*.v"))
-    sources += [hdl / "core" / f"{name}.v" for name in ("alu", "bank_ram", "muldiv")]
-    sources += [hdl / "boards" / f"{name}.v" for name in ("power_on_reset", "serial_link", WIDE_BOARD.name)]
+    boards = tools.ROOT / "hdl" / "boards"
+    sources = wide_sources() + [boards / f"{name}.v" for name in ("power_on_reset", "serial_link", WIDE_BOARD.name)]
     return Design(f"{WIDE_BOARD.name}-{slots}", WIDE_BOARD.name, tuple(sources), (tools.GENERATED,),
                   tuple(WIDE[slots].items()), WIDE_BOARD)
 

@@ -48,4 +48,4 @@ target_compile_options(rung_simulated_controller PRIVATE -O2 $<$<BOOL:${RUNG_SAN
 
 add_executable(unit_simulated bit_line_test.cpp simulated_controller_test.cpp)
 target_link_libraries(unit_simulated PRIVATE rung_simulated_controller GTest::gtest_main)
-gtest_discover_tests(unit_simulated TIMEOUT 120)
+gtest_discover_tests(unit_simulated NO_PRETTY_VALUES TIMEOUT 120)

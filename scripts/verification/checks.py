@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a report says of a promise: each check reads one JSON of reports/ and gives (yes or no, a sentence with figures)."""
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Callable
+
+Verdict = tuple[bool, str]
+
+
+@dataclass(frozen=True)
+class Check:
+    report: str    # reports/<report>.json
+    made_by: str
+    judge: Callable[[dict[str, Any]], Verdict]
+
+
+def flow_bounds(report: dict[str, Any]) -> Verdict:
+    cells = [cell for cell in report["cells"] if cell["bound_clocks"]]
+    over = sum(cell["most_clocks"] > cell["bound_clocks"] for cell in cells)
+    nearest = max(cell["most_clocks"] / cell["bound_clocks"] for cell in cells)
+    return not over, (f"{sum(cell['inputs'] for cell in cells)} responses in {len(cells)} cells of the experiment, "
+                      f"{over} with one beyond the bound; the most is {100 * nearest:.0f} % of its bound")
+
+
+def flow_ladder(report: dict[str, Any]) -> Verdict:
+    clocks = {cell["ladder_clocks"] for cell in report["cells"]}
+    return 0 not in clocks, f"beside flow tasks too: a ladder of {', '.join(map(str, sorted(clocks)))} clocks in every round of {len(report['cells'])} cells"
+
+
+def reliability(report: dict[str, Any]) -> Verdict:
+    tests = [test for test in report["tests"] if "edges" not in test]
+    return bool(tests), f"{len(tests)} tests with full counts pass (reports/reliability.md)"
+
+
+def reliability_latency(report: dict[str, Any]) -> Verdict:
+    tests = [test for test in report["tests"] if "edges" in test]
+    over = sum(int(test["most"]) > int(test["bound_most"]) for test in tests)
+    return bool(tests) and not over, (f"{sum(int(test['edges']) for test in tests)} edges in {len(tests)} cases, {over} beyond the bound")
+
+
+def boards(report: dict[str, Any]) -> Verdict:
+    rows = report["boards"]
+    short = [row["title"] for row in rows if row["fmax_mhz"]["median"] < row["board_mhz"]]
+    return not short, "; ".join(f"{row['title']}: {row['fmax_mhz']['median']} MHz of {row['board_mhz']}" for row in rows)
+
+
+def formal_faults(report: dict[str, Any]) -> Verdict:
+    caught = sum(fault["caught"] for fault in report["faults"])
+    return caught == len(report["faults"]), f"{caught} of {len(report['faults'])} faults refused by the proofs"
+
+
+CHECKS = {
+    "flow_bounds": Check("flow", "make flow-report", flow_bounds),
+    "flow_ladder": Check("flow", "make flow-report", flow_ladder),
+    "reliability": Check("reliability", "make reliability", reliability),
+    "reliability_latency": Check("reliability", "make reliability", reliability_latency),
+    "boards": Check("boards", "make boards", boards),
+    "formal_faults": Check("formal", "make formal", formal_faults),
+}

@@ -176,6 +176,9 @@ def measure(cells: Cells) -> dict[str, Any]:
     tools.write_file(folder / "rename.ys", rename_script(folder, set(memories)))
     tools.run([tools.YOSYS, "-q", "-s", str(folder / "rename.ys")],
               tools.LOGS / f"cells-{cells.name}-rename.log")
+    # OpenSTA does not read `wire signed`, and in a netlist it means nothing.
+    verilog = folder / "netlist.v"
+    tools.write_file(verilog, re.sub(r"^(\s*wire) signed ", r"\1 ", verilog.read_text(), flags=re.MULTILINE))
     paths = {}
     for name, wires in (("no_wires", False), ("assumed_wires", True)):
         script = folder / f"{name}.tcl"

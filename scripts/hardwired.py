@@ -20,7 +20,7 @@ from pathlib import Path
 from typing import Any, Callable
 
 from flow import area, equivalence, hardwired_report, place_route, synthesis, tools
-from flow.designs import WIDE_BOARD, Board, Design
+from flow.designs import ECP5, WIDE_BOARD, Design
 from flow.place_route import nextpnr_version
 from flow.synthesis import yosys_version
 
@@ -28,8 +28,9 @@ RUNG = tools.BUILD / "bin" / "rung"
 SAMPLES = tools.BUILD / "bin" / "rung-samples"
 FOLDER = tools.BUILD / "hardwired"
 TOP = tools.ROOT / "tb" / "hardwired"
-# With the router for what is large: nextpnr's other one did not end.
-BOARD = dataclasses.replace(WIDE_BOARD, name="hardwired", constraints=("--lpf", tools.ROOT / "constraints" / "hardwired.lpf"))
+# With nextpnr's router for what is large: the other one did not end.
+BOARD = dataclasses.replace(WIDE_BOARD, name="hardwired", constraints=("--lpf", tools.ROOT / "constraints" / "hardwired.lpf"),
+                            family=dataclasses.replace(ECP5, nextpnr_options=(*ECP5.nextpnr_options, "--router", "router2")))
 WORD = re.compile(r"^(MV|ADD|SUB|MUL|DIV)\b.*$", re.MULTILINE)
 
 

@@ -97,7 +97,7 @@ def timed(step: Callable[[], Any]) -> dict[str, float]:
 def change(listing: Path, design: Design, seed: int) -> dict[str, Any]:
     """What it takes from a changed list to a bitstream: nothing of an earlier run is used. Kept until the result is another."""
     netlist, kept = design.folder / "netlist.json", design.folder / "change.json"
-    of = tools.digest([str(design.parameters), str(BOARD)], list(design.sources))
+    of = tools.digest([str(design.parameters), *BOARD.family.nextpnr_options], list(design.sources))
     if kept.exists() and (steps := json.loads(kept.read_text())).pop("of") == of:
         return steps
     shutil.rmtree(design.folder, ignore_errors=True)

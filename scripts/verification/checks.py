@@ -50,11 +50,37 @@ def formal_faults(report: dict[str, Any]) -> Verdict:
     return caught == len(report["faults"]), f"{caught} of {len(report['faults'])} faults refused by the proofs"
 
 
+def fuzz(report: dict[str, Any]) -> Verdict:
+    readers = report["readers"].values()
+    least = min(reader["cpu_seconds"] for reader in readers)
+    return True, (f"{len(readers)} readers, {sum(reader['inputs'] for reader in readers)} inputs in {sum(reader['cpu_seconds'] for reader in readers)} s "
+                  f"of a processor (least {least} s), {sum(reader['faults_found'] for reader in readers)} faults found and mended")
+
+
+def mutation(report: dict[str, Any]) -> Verdict:
+    netlists = report["netlists"]
+    alive = [mutant for netlist in netlists for mutant in netlist["not_killed"]]
+    open_ = [mutant for mutant in alive if not mutant["equal"] and "why" not in mutant]
+    run, killed = (sum(netlist[key] for netlist in netlists) for key in ("run", "killed"))
+    return not open_, (f"{run} mutants of {', '.join(dict.fromkeys(netlist['design'] for netlist in netlists))}: {killed} killed, "
+                       f"{sum(mutant['equal'] for mutant in alive)} proven equivalent, {sum('why' in mutant for mutant in alive)} listed with what "
+                       f"they would take, {len(open_)} not looked at")
+
+
+def soak(report: dict[str, Any]) -> Verdict:
+    scans = sum(board["counts"]["scans"] for board in report["boards"].values())
+    return scans >= 10_000_000 and not report["differences"], (
+        f"{scans} scans of the 10,000,000 asked for on {', '.join(report['boards'])}, {len(report['differences'])} differences")
+
+
 CHECKS = {
     "flow_bounds": Check("flow", "make flow-report", flow_bounds),
     "flow_ladder": Check("flow", "make flow-report", flow_ladder),
     "reliability": Check("reliability", "make reliability", reliability),
     "reliability_latency": Check("reliability", "make reliability", reliability_latency),
     "boards": Check("boards", "make boards", boards),
+    "fuzz": Check("fuzz", "make fuzz", fuzz),
+    "mutation": Check("mutation", "make mutate", mutation),
+    "soak": Check("soak", "make soak", soak),
     "formal_faults": Check("formal", "make formal", formal_faults),
 }

@@ -25,6 +25,7 @@ class Family:
     layout: str                   # nextpnr's option for its result, from which the bitstream is packed
     pack: tuple[str, ...]         # the packer; {layout} and {bitstream} stand for files
     suffix: str                   # of a bitstream
+    ram_registers: bool = False   # flow/ram_registers.py after Yosys
 
 
 @dataclass(frozen=True)
@@ -71,9 +72,11 @@ BOARDS = {
                   ("--pcf", constraint("hx8k.pcf")), 80, "hx8k"),
 }
 
-# MPU4's; 16 slots are some ten times MPU3, and nextpnr's second router is the faster one there.
+# MPU4's; 16 slots are some ten times MPU3, and nextpnr's second router is the faster one there. Every word that it reads
+# from a block RAM goes into a register.
 WIDE_BOARD = Board("ulx3s_wide", "ULX3S, ECP5-85F grade 6",
-                   dataclasses.replace(ECP5, nextpnr_options=(*ECP5.nextpnr_options, "--router", "router2")),
+                   dataclasses.replace(ECP5, nextpnr_options=(*ECP5.nextpnr_options, "--router", "router2"),
+                                       ram_registers=True),
                    ULX3S_85F, ("--lpf", constraint("ulx3s_wide.lpf")), 110, "ecp5")
 
 # The controller's board tops. The clock is the board's: nothing is won by a faster one.

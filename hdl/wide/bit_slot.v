@@ -29,7 +29,7 @@ module bit_slot #(
   localparam ROW_BITS = `RUNG_WIDE_LAYOUT_ROW_BITS;
   localparam PLACE_BITS = SLOT_BITS + ROW_BITS;
 
-  reg w_value_q, b_value_q;
+  reg w_value_q;
   genvar i;
   generate
     for (i = 0; i < ARITY; i = i + 1) begin : g_operand
@@ -45,7 +45,6 @@ module bit_slot #(
           .d1_other_i(1'b0),
           .d3_other_i(d3_flag_i),
           .w_own_i(w_value_q),
-          .b_own_i(b_value_q),
           .b_row_i(b_row_i),
           .b_we_i(b_we_i),
           .b_addr_i(b_addr_i),
@@ -62,7 +61,6 @@ module bit_slot #(
     d3_table_q <= d2_table_q;
     x_table_q  <= d3_table_q;
     w_value_q  <= x_table_q[x_operands_o];
-    b_value_q  <= w_value_q;
   end
   assign w_value_o = w_value_q;
 

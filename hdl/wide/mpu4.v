@@ -70,7 +70,7 @@ module mpu4 #(
   wire [UNITS-1:0] l_set_word;
   wire [WORD_BITS-1:0] l_data;
   wire [PC_BITS-1:0] f1_pc;
-  wire f3_valid, x_start, w_valid, b_bit_we, b_word_we;
+  wire f2_valid, x_start, w_valid, b_bit_we, b_word_we;
   wire [ROW_BITS-1:0] w_addr;
   wire [ROW_BITS-1:0] b_addr;
   wire [SLOTS-1:0] w_bits;
@@ -140,7 +140,7 @@ module mpu4 #(
       .latch_row_i(latch_row),
       .latch_rows_i(latch_rows),
       .f1_pc_o(f1_pc),
-      .f3_valid_o(f3_valid),
+      .f2_valid_o(f2_valid),
       .latch_valid_o(latch_valid),
       .latch_bits_o(latch_bits),
       .l_host_row_i(l_host_row),
@@ -181,7 +181,7 @@ module mpu4 #(
           .m_addr_i(m_addr),
           .m_data_i(m_data[(s%2==0?INSTRUCTION_BITS : BIT_PART)-1:0]),
           .f1_pc_i(f1_pc),
-          .f3_valid_i(f3_valid),
+          .f2_valid_i(f2_valid),
           .l_row_i(l_from),
           .l_lane_i(l_access),
           .l_high_i(l_access && (l_bit || !l_set_bit[s])),

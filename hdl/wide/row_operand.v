@@ -4,6 +4,10 @@
 // slot computed four to six steps ago, off the bus, or what the slot puts beside the operand (d3_other_i).
 // The bus (c) is a copy of the last row beside this operand, so that the way across the chip (w, b, c) has two
 // clocks of its own; synthesis has to keep the copies apart, or all operands read one.
+//
+// A row is wide (8 words of 16 bits), so what takes a lane of it is made shallow: a lane select is one register a
+// lane, not a number, so that a choice of 8 is two look-ups deep and no select drives more than the bits of a value;
+// and each row has one place only, its memory's output register or c, from which all distances are taken.
 `default_nettype none
 `include "rung_wide.vh"
 
@@ -20,9 +24,8 @@ module row_operand #(
     input wire d1_other_i,  // takes d3_other_i, whatever the place says
     // ID3
     input wire [WIDTH-1:0] d3_other_i,
-    // what this slot has computed, after EX and a clock later
+    // what this slot has computed, after EX
     input wire [WIDTH-1:0] w_own_i,
-    input wire [WIDTH-1:0] b_own_i,
     // what all have computed, and where the row goes
     input wire [LANES*WIDTH-1:0] b_row_i,
     input wire b_we_i,
@@ -33,8 +36,7 @@ module row_operand #(
 
   localparam ROW_BITS = `RUNG_WIDE_LAYOUT_ROW_BITS;
   localparam NEAR_BITS = ROW_BITS - `RUNG_WIDE_LAYOUT_SPECIAL_BITS;
-  // Near values by the low bits of a special row.
-  localparam [NEAR_BITS-1:0] ZERO = `RUNG_WIDE_NEAR_ZERO;
+  // Near values by the low bits of a special row; 0 is what is left when none is taken.
   localparam [NEAR_BITS-1:0] OWN_1 = `RUNG_WIDE_NEAR_OWN_FIRST;
   localparam [NEAR_BITS-1:0] OWN_2 = `RUNG_WIDE_NEAR_OWN_FIRST + 1;
   localparam [NEAR_BITS-1:0] OWN_3 = `RUNG_WIDE_NEAR_OWN_LAST;
@@ -43,24 +45,40 @@ module row_operand #(
   localparam [NEAR_BITS-1:0] BUS_6 = `RUNG_WIDE_NEAR_BUS_LAST;
   localparam [NEAR_BITS-1:0] OTHER = `RUNG_WIDE_NEAR_FLAG;
 
-  // ---- the bus: the row four steps before that in ID3, and the one before it -------------------
+  function automatic [LANES-1:0] one_hot(input reg [LANE_BITS-1:0] lane, input reg valid);
+    integer k;
+    for (k = 0; k < LANES; k = k + 1) one_hot[k] = valid && lane == k[LANE_BITS-1:0];
+  endfunction
+
+  // The value of the lane whose select is 1; 0 if none is.
+  function automatic [WIDTH-1:0] lane_of(input reg [LANES*WIDTH-1:0] row,
+                                         input reg [LANES-1:0] select);
+    integer k;
+    begin
+      lane_of = {WIDTH{1'b0}};
+      for (k = 0; k < LANES; k = k + 1) begin
+        lane_of = lane_of | (row[k*WIDTH+:WIDTH] & {WIDTH{select[k]}});
+      end
+    end
+  endfunction
+
+  // ---- the bus: in c the row four steps before that in ID3, five before ID2, six before ID1 ----
   (* keep *) reg [LANES*WIDTH-1:0] c_row_q;
   (* keep *) reg c_we_q;
   (* keep *) reg [ADDR_BITS-1:0] c_addr_q;
-  reg [LANES*WIDTH-1:0] c_last_q;
   (* keep *)
   always @(posedge clk_i) begin
     c_row_q  <= b_row_i;
     c_we_q   <= b_we_i;
     c_addr_q <= b_addr_i;
   end
-  always @(posedge clk_i) c_last_q <= c_row_q;
 
-  // ---- ID1 -------------------------------------------------------------------------------------
+  // ---- ID1: the oldest of the bus --------------------------------------------------------------
   wire d1_special = &d1_row_i[ROW_BITS-1:NEAR_BITS];
   wire [NEAR_BITS-1:0] d1_near = d1_row_i[NEAR_BITS-1:0];
+  wire d1_near_value = d1_special && !d1_other_i;
 
-  // ---- ID2: the memory; of the values from the bus those that would be gone a clock later ------
+  // ---- ID2: the memory; of the near values those that would be gone a clock later --------------
   wire [LANES*WIDTH-1:0] d2_row;
   bank_ram #(
       .WIDTH(LANES * WIDTH),
@@ -76,44 +94,45 @@ module row_operand #(
       .write_data_i(c_row_q)
   );
 
-  wire d1_near_value = d1_special && !d1_other_i;
-  reg d2_zero_q, d2_own1_q, d2_own2_q, d2_own3_q, d2_bus4_q, d2_bus5_q, d2_bus6_q, d2_other_q;
+  reg [LANES-1:0] d2_bus5_lane_q;
+  reg [WIDTH-1:0] d2_bus6_value_q;
   reg [LANE_BITS-1:0] d2_lane_q;
+  reg d2_row_taken_q, d2_own1_q, d2_own2_q, d2_own3_q, d2_bus4_q, d2_bus6_q, d2_other_q;
   always @(posedge clk_i) begin
-    d2_zero_q  <= d1_near_value && d1_near == ZERO;
-    d2_own1_q  <= d1_near_value && d1_near == OWN_1;
-    d2_own2_q  <= d1_near_value && d1_near == OWN_2;
-    d2_own3_q  <= d1_near_value && d1_near == OWN_3;
-    d2_bus4_q  <= d1_near_value && d1_near == BUS_4;
-    d2_bus5_q  <= d1_near_value && d1_near == BUS_5;
-    d2_bus6_q  <= d1_near_value && d1_near == BUS_6;
+    d2_bus5_lane_q <= one_hot(d1_lane_i, d1_near_value && d1_near == BUS_5);
+    d2_bus6_value_q <= c_row_q[d1_lane_i*WIDTH+:WIDTH];
+    d2_lane_q <= d1_lane_i;
+    d2_row_taken_q <= !d1_special && !d1_other_i;
+    d2_own1_q <= d1_near_value && d1_near == OWN_1;
+    d2_own2_q <= d1_near_value && d1_near == OWN_2;
+    d2_own3_q <= d1_near_value && d1_near == OWN_3;
+    d2_bus4_q <= d1_near_value && d1_near == BUS_4;
+    d2_bus6_q <= d1_near_value && d1_near == BUS_6;
     d2_other_q <= d1_other_i || (d1_special && d1_near == OTHER);
-    d2_lane_q  <= d1_lane_i;
   end
-  wire [WIDTH-1:0] d2_bus =
-      d2_bus6_q ? c_last_q[d2_lane_q*WIDTH+:WIDTH] : c_row_q[d2_lane_q*WIDTH+:WIDTH];
+  wire [WIDTH-1:0] d2_bus5_value = lane_of(c_row_q, d2_bus5_lane_q);
+  wire [WIDTH-1:0] d2_early = d2_bus5_value | (d2_bus6_value_q & {WIDTH{d2_bus6_q}}) |
+      (w_own_i & {WIDTH{d2_own3_q}});
 
-  // ---- ID3: the lane ---------------------------------------------------------------------------
+  // ---- ID3: at most one of these is not 0 ------------------------------------------------------
   reg [LANES*WIDTH-1:0] d3_row_q;
+  reg [LANES-1:0] d3_row_lane_q;
+  reg [LANES-1:0] d3_bus4_lane_q;
   reg [WIDTH-1:0] d3_early_q;
-  reg [LANE_BITS-1:0] d3_lane_q;
-  reg d3_own1_q, d3_own2_q, d3_own3_q, d3_bus_q, d3_early_valid_q, d3_other_q;
+  reg d3_own1_q, d3_own2_q, d3_other_q;
   always @(posedge clk_i) begin
     d3_row_q <= d2_row;
-    d3_early_q <= d2_bus & {WIDTH{!d2_zero_q}};
-    d3_lane_q <= d2_lane_q;
+    d3_row_lane_q <= one_hot(d2_lane_q, d2_row_taken_q);
+    d3_bus4_lane_q <= one_hot(d2_lane_q, d2_bus4_q);
+    d3_early_q <= d2_early;
     d3_own1_q <= d2_own1_q;
     d3_own2_q <= d2_own2_q;
-    d3_own3_q <= d2_own3_q;
-    d3_bus_q <= d2_bus4_q;
-    d3_early_valid_q <= d2_bus5_q || d2_bus6_q || d2_zero_q;
     d3_other_q <= d2_other_q;
   end
-  wire [WIDTH-1:0] d3_any =
-      d3_bus_q ? c_row_q[d3_lane_q*WIDTH+:WIDTH] : d3_row_q[d3_lane_q*WIDTH+:WIDTH];
-  wire [WIDTH-1:0] d3_own = d3_own2_q ? w_own_i : b_own_i;
-  wire [WIDTH-1:0] d3_value = d3_other_q ? d3_other_i :
-      d3_early_valid_q ? d3_early_q : d3_own2_q || d3_own3_q ? d3_own : d3_any;
+  wire [WIDTH-1:0] d3_row_value = lane_of(d3_row_q, d3_row_lane_q);
+  wire [WIDTH-1:0] d3_bus4_value = lane_of(c_row_q, d3_bus4_lane_q);
+  wire [WIDTH-1:0] d3_value = d3_row_value | d3_bus4_value | d3_early_q |
+      (w_own_i & {WIDTH{d3_own2_q}}) | (d3_other_i & {WIDTH{d3_other_q}});
 
   // ---- EX --------------------------------------------------------------------------------------
   reg [WIDTH-1:0] x_value_q;

@@ -25,7 +25,7 @@ module wide_fetch #(
     input  wire [`RUNG_WIDE_LAYOUT_ROW_BITS-1:0] latch_row_i,
     input  wire [                LATCH_BITS-1:0] latch_rows_i,
     output wire [                   PC_BITS-1:0] f1_pc_o,
-    output wire                                  f3_valid_o,
+    output wire                                  f2_valid_o,
     // a latch row, for the bus of the next clock
     output wire                                  latch_valid_o,
     output wire [                     SLOTS-1:0] latch_bits_o,
@@ -57,7 +57,8 @@ module wide_fetch #(
   reg latch_valid_q;
   reg [ROW_BITS-1:0] latch_row_q;
   always @(posedge clk_i) begin
-    if (start) begin
+    // Sampled in every clock in which a scan may start: start_i itself would have to reach all these registers.
+    if (!busy_q) begin
       latch_q <= in_i;
       latch_left_q <= latch_rows_i;
       latch_row_q <= latch_row_i;
@@ -81,8 +82,8 @@ module wide_fetch #(
   wire f1_end = f1_run && f1_pc_q == length_i;
   wire f1_valid = f1_run && f1_pc_q != length_i;
   always @(posedge clk_i) begin
-    if (start) begin
-      f1_active_q <= 1'b1;
+    if (!busy_q) begin
+      f1_active_q <= start_i;
       f1_pc_q <= {PC_BITS + 1{1'b0}};
       wait_q <= latch_rows_i > LATCH_FREE ? latch_rows_i - LATCH_FREE : {LATCH_BITS{1'b0}};
     end else if (f1_run) begin
@@ -109,7 +110,7 @@ module wide_fetch #(
     f2_pc_q    <= f1_pc_q[PC_BITS-1:0];
     f3_pc_q    <= f2_pc_q;
   end
-  assign f3_valid_o = f3_valid_q;
+  assign f2_valid_o = f2_valid_q;
 
   reg done_q;
   reg [31:0] clocks_q;

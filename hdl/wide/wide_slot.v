@@ -28,7 +28,7 @@ module wide_slot #(
     input  wire [                              PC_BITS-1:0] m_addr_i,
     input  wire [                     INSTRUCTION_BITS-1:0] m_data_i,
     input  wire [                              PC_BITS-1:0] f1_pc_i,
-    input  wire                                             f3_valid_i,
+    input  wire                                             f2_valid_i,
     // IF3, while no instruction is there (else 0): the row of operand a and of `keep`; with l_lane_i a has
     // this slot's lane; the table's halves for a; with l_set_i a constant for the word unit
     input  wire [           `RUNG_WIDE_LAYOUT_ROW_BITS-1:0] l_row_i,
@@ -76,9 +76,14 @@ module wide_slot #(
       .write_data_i(m_data_i)
   );
 
+  // One in each slot, for its fan-out
+  (* keep *) reg f3_valid_q;
   reg [INSTRUCTION_BITS-1:0] f3_instruction_q;
-  always @(posedge clk_i) f3_instruction_q <= f2_instruction;
-  wire [INSTRUCTION_BITS-1:0] f3_program = f3_instruction_q & {INSTRUCTION_BITS{f3_valid_i}};
+  always @(posedge clk_i) begin
+    f3_valid_q <= f2_valid_i && rst_ni;
+    f3_instruction_q <= f2_instruction;
+  end
+  wire [INSTRUCTION_BITS-1:0] f3_program = f3_instruction_q & {INSTRUCTION_BITS{f3_valid_q}};
 
   // ---- ID1: the bit slot's part ----------------------------------------------------------------
   localparam [SLOT_BITS-1:0] LANE = SLOT;
@@ -149,7 +154,7 @@ module wide_slot #(
       assign w_word_o = {`RUNG_WIDE_LAYOUT_WORD_BITS{1'b0}};
       assign w_flag_o = 1'b0;
       assign w_div_by_0_o = 1'b0;
-      wire unused_unit = &{1'b0, rst_ni, x_start_i, x_operands, b_words_i, b_word_we_i};
+      wire unused_unit = &{1'b0, x_start_i, x_operands, b_words_i, b_word_we_i};
       wire unused_access = &{1'b0, l_set_i, l_data_i};
     end
   endgenerate

@@ -31,7 +31,6 @@ module wide_operand_proof #(
   (* anyconst *) wire [ADDR_BITS-1:0] watched;
 
   wire [WIDTH-1:0] value;
-  reg [WIDTH-1:0] own_before_q;
   row_operand #(
       .WIDTH(WIDTH),
       .LANES(LANES),
@@ -44,7 +43,6 @@ module wide_operand_proof #(
       .d1_other_i(other_i),
       .d3_other_i(other_value_i),
       .w_own_i(own_i),
-      .b_own_i(own_before_q),
       .b_row_i(bus_i),
       .b_we_i(we_i),
       .b_addr_i(addr_i),
@@ -82,7 +80,6 @@ module wide_operand_proof #(
       we_q[i] <= we_q[i-1];
       addr_q[i] <= addr_q[i-1];
     end
-    own_before_q <= own_i;
     if (age_q != 4'd15) age_q <= age_q + 4'd1;
   end
 

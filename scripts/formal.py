@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Prove what tb/formal/proofs.toml lists, show that the proofs refuse its faults, write reports/formal.md and formal.json.
+"""Prove what tb/formal/*.toml list, show that the proofs refuse their faults, write reports/formal.md and formal.json.
 
 Exit code 1 if a proof, a cover or a fault is not as it should be; then no report is written.
 """
@@ -30,14 +30,28 @@ ENGINE = "smtbmc yices"
 Proof = dict[str, Any]
 
 
+def peeks(proof: Proof) -> list[str]:
+    """Yosys commands that connect the proof's inputs `peek_*` to registers and wires inside the hardware.
+
+    Verilog's way, a hierarchical reference, Yosys turns into an undriven wire. A name that is not there is an error here.
+    """
+    if "peek" not in proof:
+        return []
+    top = proof["top"]
+    commands = ["proc", "flatten"] + [f"memory_map {top}/m:{memory}" for memory in proof.get("registers", [])]
+    for port, inside in proof["peek"].items():
+        commands += [f"delete -port {top}/w:{port}", f"connect -set {port} {inside}"]
+    return commands
+
+
 def script(proof: Proof, mode: str, depth: int, sources: list[Path]) -> str:
     """An .sby file for one task of a proof."""
     parameters = "".join(f" -chparam {name} {value}" for name, value in proof["parameters"].items())
     names = " ".join(source.name for source in sources)
     return "\n".join(["[options]", f"mode {mode}", f"depth {depth}", "[engines]", ENGINE, "[script]",
                       # RUNG_RETIRE: a word that is read while it is written is wrong, as nobody may use it.
-                      f"read -formal -DRUNG_RETIRE -I{tools.GENERATED} {names}",
-                      f"hierarchy -top {proof['top']}{parameters}", f"prep -top {proof['top']}", "[files]", *map(str, sources), ""])
+                      f"read -formal -DRUNG_RETIRE -I{tools.GENERATED} -I{tools.ROOT / 'hdl' / 'core'} {names}",
+                      f"hierarchy -top {proof['top']}{parameters}", *peeks(proof), f"prep -top {proof['top']}", "[files]", *map(str, sources), ""])
 
 
 def run(name: str, text: str) -> tuple[str, float]:
@@ -62,7 +76,7 @@ def prove(proof: Proof) -> Proof:
     """Both tasks of a proof."""
     files = sources_of(proof, {})
     verdict, seconds = run(f"{proof['name']}-prf", script(proof, proof["mode"], proof["depth"], files))
-    cover, cover_seconds = run(f"{proof['name']}-cvr", script(proof, "cover", proof["depth"] + 10, files))
+    cover, cover_seconds = run(f"{proof['name']}-cvr", script(proof, "cover", proof.get("cover_depth", proof["depth"] + 10), files))
     tools.say(f"{proof['name']}: {verdict} in {seconds} s, cover {cover} in {cover_seconds} s")
     return {**proof, "verdict": verdict, "seconds": seconds, "cover": cover, "cover_seconds": cover_seconds}
 
@@ -79,7 +93,7 @@ def inject(fault: dict[str, str], proof: Proof) -> dict[str, Any]:
     folder.mkdir(parents=True)
     changed = folder / source.name
     changed.write_text(text.replace(fault["from"], fault["to"]), encoding="utf-8")
-    verdict, seconds = run(f"fault-{number}", script(proof, "bmc", proof["depth"], sources_of(proof, {fault["file"]: changed})))
+    verdict, seconds = run(f"fault-{number}", script(proof, "bmc", proof.get("cover_depth", proof["depth"]), sources_of(proof, {fault["file"]: changed})))
     tools.say(f"fault '{fault['name']}': {'caught' if verdict == 'FAIL' else verdict} in {seconds} s")
     return {"name": fault["name"], "proof": proof["name"], "file": fault["file"], "caught": verdict == "FAIL", "seconds": seconds}
 
@@ -105,13 +119,13 @@ def main() -> int:
     parser.add_argument("--only", nargs="+", metavar="PROOF", help="and write no report")
     arguments = parser.parse_args()
     tools.generate_isa_header()
-    table = tomllib.loads((FOLDER / "proofs.toml").read_text(encoding="utf-8"))
-    chosen = [proof for proof in table["proof"] if not arguments.only or proof["name"] in arguments.only]
+    tables = [tomllib.loads(file.read_text(encoding="utf-8")) for file in sorted(FOLDER.glob("*.toml"))]
+    chosen = [proof for table in tables for proof in table["proof"] if not arguments.only or proof["name"] in arguments.only]
     by_name = {proof["name"]: proof for proof in chosen}
     with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
         proofs = list(pool.map(prove, chosen))
         faults = list(pool.map(lambda fault: inject(fault, by_name[fault["proof"]]),
-                               [fault for fault in table["fault"] if fault["proof"] in by_name]))
+                               [fault for table in tables for fault in table["fault"] if fault["proof"] in by_name]))
     wrong = [proof["name"] for proof in proofs if (proof["verdict"], proof["cover"]) != ("PASS", "PASS")]
     wrong += [fault["name"] for fault in faults if not fault["caught"]]
     if wrong:

@@ -11,6 +11,7 @@ import concurrent.futures
 import datetime
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -30,6 +31,17 @@ ENGINE = "smtbmc yices"
 Proof = dict[str, Any]
 
 
+def signals(names: str | list[str]) -> list[str]:
+    """Names of signals, the highest first; `{b..a}` in a name stands for the numbers from b down to a."""
+    if isinstance(names, list):
+        return [signal for name in names for signal in signals(name)]
+    span = re.search(r"\{(\d+)\.\.(\d+)\}", names)
+    if not span:
+        return [names]
+    return [signal for number in range(int(span[1]), int(span[2]) - 1, -1)
+            for signal in signals(names[:span.start()] + str(number) + names[span.end():])]
+
+
 def peeks(proof: Proof) -> list[str]:
     """Yosys commands that connect the proof's inputs `peek_*` to registers and wires inside the hardware.
 
@@ -40,8 +52,8 @@ def peeks(proof: Proof) -> list[str]:
     top = proof["top"]
     commands = ["proc", "flatten"] + [f"memory_map {top}/m:{memory}" for memory in proof.get("registers", [])]
     for port, inside in proof["peek"].items():
-        commands += [f"delete -port {top}/w:{port}", f"connect -set {port} {inside}"]
-    return commands
+        commands += [f"delete -port {top}/w:{port}", f"connect -nounset -set {port} {','.join(signals(inside))}"]
+    return [*commands, "check -assert"]
 
 
 def script(proof: Proof, mode: str, depth: int, sources: list[Path]) -> str:

@@ -25,7 +25,8 @@ module contacts_proof #(
 );
 
   localparam DEVICES = 1 << BIT_ADDR;
-  localparam DEST_AT = `RUNG_WORD_BITS + WORD_ADDR;
+  localparam BITS = `RUNG_WORD_BITS;
+  localparam DEST_AT = BITS + WORD_ADDR;
   localparam FIELDS1 = DEST_AT + BIT_ADDR + 3;
   localparam FIELDS2 = DEST_AT + BIT_ADDR + 1 + `RUNG_ROW_BITS;
 
@@ -58,13 +59,13 @@ module contacts_proof #(
       default: contact = `RUNG_OP_NOP;
     endcase
   endfunction
-  function automatic meaning(input reg [2:0] code, input reg before, input reg device);
+  function automatic meaning(input reg [2:0] code, input reg held, input reg device);
     case (code)
-      3'd1: meaning = before && device;
-      3'd2: meaning = before && !device;
-      3'd3: meaning = before || device;
-      3'd4: meaning = before || !device;
-      default: meaning = before;
+      3'd1: meaning = held && device;
+      3'd2: meaning = held && !device;
+      3'd3: meaning = held || device;
+      3'd4: meaning = held || !device;
+      default: meaning = held;
     endcase
   endfunction
 

@@ -37,7 +37,9 @@ module muldiv_proof #(
     input wire [31:0] peek_divisor,
     input wire [31:0] peek_high,
     input wire [31:0] peek_low,
-    input wire [31:0] peek_product
+    // with MUL_DSP: the block's product, and the other operations' word, which is the same without
+    input wire [31:0] peek_product,
+    input wire [15:0] peek_word
 );
 
   reg reset_q;
@@ -98,9 +100,9 @@ module muldiv_proof #(
 
   wire iterates = div_q || wide_q || MUL_DSP == 0;
   wire [5:0] width = wide_q ? 6'd32 : 6'd16;
-  wire [5:0] before = !div_q ? 6'd1 : wide_q ? 6'd3 : 6'd2;  // clocks before the first step
-  wire stepping = iterates && after_q >= before && after_q < before + width;
-  wire stepped = after_q >= before + width;
+  wire [5:0] lead = !div_q ? 6'd1 : wide_q ? 6'd3 : 6'd2;  // clocks ahead of the first step
+  wire stepping = iterates && after_q >= lead && after_q < lead + width;
+  wire stepped = after_q >= lead + width;
   wire [5:0] latency = div_q ? (wide_q ? DIV32_LATENCY : DIV_LATENCY) :
       wide_q ? MUL32_LATENCY : MUL_LATENCY;
 
@@ -109,7 +111,7 @@ module muldiv_proof #(
   reg [31:0] bits_q;  // of s1, those to come
   reg [31:0] mask_q;  // where those are
   wire signed [63:0] top = wide_q ? {s2_q[31], s2_q, 31'd0} : {{17{s2_q[31]}}, s2_q, 15'd0};
-  wire last = after_q + 6'd1 == before + width;
+  wire last = after_q + 6'd1 == lead + width;
   wire signed [63:0] half = {product_q[63], product_q[63:1]};
   always @(posedge clk_i) begin
     if (start) begin
@@ -141,7 +143,7 @@ module muldiv_proof #(
   wire [32:0] times = !new_bit_q ? times_q :
       {times_q[31:0], 1'b0} + (peek_low[0] ? {1'b0, divisor} : 33'd0);
   always @(posedge clk_i) begin
-    if (start || after_q < before) begin
+    if (start || after_q < lead) begin
       taken_q <= 32'd0;
       left_q <= aligned;
       ones_q <= wide_q ? 32'hFFFFFFFF : 32'hFFFF0000;
@@ -173,10 +175,10 @@ module muldiv_proof #(
       assert (peek_div == div_q && peek_wide == wide_q && peek_divisor == s2_q);
       assert (peek_second == (div_q && wide_q && after_q == 6'd2));
       if (stepping) begin
-        assert (peek_count == (wide_q ? 5'd0 : 5'd16) + after_q[4:0] - before[4:0]);
+        assert (peek_count == (wide_q ? 5'd0 : 5'd16) + after_q[4:0] - lead[4:0]);
         assert (peek_subtract == (div_q ? !s2_q[31] : peek_count == 5'd31));
       end
-      if (after_q < before) assert (peek_count == (wide_q ? 5'd0 : 5'd16));
+      if (after_q < lead) assert (peek_count == (wide_q ? 5'd0 : 5'd16));
       if (!wide_q) assert (s1_q[31:15] == {17{s1_q[15]}} && s2_q[31:15] == {17{s2_q[15]}});
     end
     if (!div_q && !iterates) begin
@@ -185,26 +187,29 @@ module muldiv_proof #(
     end
   end
 
-  wire [5:0] steps = after_q < before ? 6'd0 : stepped ? width : after_q - before;
+  wire [5:0] steps = after_q < lead ? 6'd0 : stepped ? width : after_q - lead;
   always @* begin
-    if (!div_q && iterates && after_q != 6'd0) begin
+    if (MUL_DSP == 0 && !div_q && after_q != 6'd0) begin
       assert ((wide_q ? {peek_high, peek_low} : {{16{peek_high[31]}}, peek_high, peek_low[15:0]}) ==
               (product_q | {32'd0, bits_q}));
       assert (mask_q == (wide_q ? 32'hFFFFFFFF : 32'h0000FFFF) >> steps);
       assert ((product_q[31:0] & mask_q) == 32'd0 && (bits_q & ~mask_q) == 32'd0);
     end
-    if (div_q && after_q != 6'd0 && after_q < before) begin
+    if (MUL_DSP == 0 && div_q && after_q != 6'd0 && after_q < lead) begin
       assert (peek_high == 32'd0);
       assert (peek_low[15:0] == (after_q == 6'd1 ? s1_q[15:0] : dividend[15:0]));
       if (wide_q) assert (peek_low[31:16] == s1_q[31:16]);
     end
     if (div_q && after_q > 6'd1) assert (peek_negative == s1_q[31]);
-    if (div_q && after_q >= before) begin
+    if (MUL_DSP == 0 && div_q && after_q >= lead) begin
       assert (ones_q == (wide_q ? 32'hFFFFFFFF : 32'hFFFF0000) << steps);
       assert ({taken_q, left_q} == {32'd0, aligned} << steps);
       assert ((left_q & ~ones_q) == 32'd0);
       if (wide_q) assert (peek_low == (left_q | quotient) && (quotient & ones_q) == 32'd0);
-      else assert (peek_low[15:0] == (left_q[31:16] | quotient[15:0]) && (quotient & ones_q >> 16) == 32'd0 && quotient[31:16] == 16'd0);
+      else begin
+        assert (peek_low[15:0] == (left_q[31:16] | quotient[15:0]));
+        assert ((quotient & ones_q >> 16) == 32'd0 && quotient[31:16] == 16'd0);
+      end
       if (!by_0) begin
         assert (times + {1'b0, peek_high} == {1'b0, taken_q});
         assert (peek_high < divisor);
@@ -224,7 +229,12 @@ module muldiv_proof #(
     end
   end
   wire there = after_q != 6'd0 && after_q >= latency - 6'd1;
-  always @* if (there && valid && (wide_q || !word_i[1])) assert (result == expected[16*word_i+:16]);
+  always @* begin
+    if (there && valid && (wide_q || !word_i[1])) begin
+      if (MUL_DSP == 0 || !iterates) assert (result == expected[16*word_i+:16]);
+    end
+    if (MUL_DSP != 0 && iterates && after_q != 6'd0) assert (result == peek_word);
+  end
 
   always @* begin
     cover (there && valid && !div_q && wide_q && s1_q[31] && !s2_q[31] && word_i == 2'd1);

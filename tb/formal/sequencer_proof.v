@@ -97,7 +97,8 @@ module sequencer_proof #(
       assert (since_q <= longest);
       assert (peek_waits == (longest != 6'd0));
       assert (peek_waiting == (since_q != 6'd0));
-      if (peek_waits) assert (peek_kind == {has(`RUNG_OP_MULD), has(`RUNG_OP_DIV), has(`RUNG_OP_MUL)});
+      if (peek_waits)
+        assert (peek_kind == {has(`RUNG_OP_MULD), has(`RUNG_OP_DIV), has(`RUNG_OP_MUL)});
       if (since_q != 6'd0) assert (peek_count == longest - since_q);
     end
   end

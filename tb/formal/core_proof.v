@@ -54,6 +54,8 @@ module core_proof #(
     input wire [SLOTS-1:0] peek_ix_dest,
     input wire [SLOTS-1:0] peek_bit_we,  // EX, host accesses too
     input wire [SLOTS-1:0] peek_word_we,
+    input wire [SLOTS-1:0] peek_x_bit_bank,
+    input wire [SLOTS*BITS-1:0] peek_x_word_bank,
     // the unit: what it is asked in EX, its answer in ID3
     input wire [SLOTS-1:0] peek_start,
     input wire [SLOTS-1:0] peek_run,
@@ -63,6 +65,7 @@ module core_proof #(
     input wire [SLOTS*BITS-1:0] peek_s1,
     input wire [SLOTS*BITS-1:0] peek_s2,
     // the ALU: the instruction in ID2, acc in EX, its results
+    input wire [SLOTS*6-1:0] peek_bit_op,  // the same on the bit side
     input wire [SLOTS*6-1:0] peek_alu_op,
     input wire [SLOTS*BITS-1:0] peek_alu_acc,
     input wire [SLOTS*BITS-1:0] peek_alu_result,
@@ -221,8 +224,8 @@ module core_proof #(
   // ---- the memories ----------------------------------------------------------------------------
   localparam WORD_BANK = WORD_DEVICES * BITS;
   wire bits_alike, words_alike;
-  wire [SLOTS*BIT_DEVICES-1:0] bit_banks;
-  wire [SLOTS*WORD_BANK-1:0] word_banks;
+  wire [SLOTS*BIT_DEVICES-1:0] bit_banks, other_bits;
+  wire [SLOTS*WORD_BANK-1:0] word_banks, other_words;
   wire [BIT_DEVICES-1:0] held_bits, coming_bits;
   wire [WORD_BANK-1:0] held_words, coming_words;
   banks #(
@@ -238,7 +241,8 @@ module core_proof #(
       .alike_o(bits_alike),
       .banks_o(bit_banks),
       .held_o(held_bits),
-      .coming_o(coming_bits)
+      .coming_o(coming_bits),
+      .others_o(other_bits)
   );
   banks #(
       .SLOTS(SLOTS),
@@ -253,7 +257,8 @@ module core_proof #(
       .alike_o(words_alike),
       .banks_o(word_banks),
       .held_o(held_words),
-      .coming_o(coming_words)
+      .coming_o(coming_words),
+      .others_o(other_words)
   );
 
   // ---- the slots -------------------------------------------------------------------------------
@@ -293,6 +298,7 @@ module core_proof #(
           .SLOT_BITS(SLOT_BITS)
       ) slot (
           .clk_i(clk_i),
+          .quiet_i(age_q >= 3'd2 && !known),
           .known_i(known),
           .scan_start_i(scan_start),
           .d1_step_i(peek_step[s*SLOT_BITS+:SLOT_BITS]),
@@ -314,6 +320,8 @@ module core_proof #(
           .unit_valid_i(unit_valid_q[s]),
           .bit_bank_i(bit_banks[s*BIT_DEVICES+:BIT_DEVICES]),
           .word_bank_i(word_banks[s*WORD_BANK+:WORD_BANK]),
+          .other_bits_i(other_bits[s*BIT_DEVICES+:BIT_DEVICES]),
+          .other_words_i(other_words[s*WORD_BANK+:WORD_BANK]),
           .peek_exc_i(peek_exc[s]),
           .peek_block_i(peek_block[s*`RUNG_BLOCK_STACK+:`RUNG_BLOCK_STACK]),
           .peek_branch_i(peek_branch[s*`RUNG_BRANCH_STACK+:`RUNG_BRANCH_STACK]),
@@ -324,6 +332,8 @@ module core_proof #(
           .peek_ix_dest_i(peek_ix_dest[s]),
           .peek_bit_we_i(peek_bit_we[s]),
           .peek_word_we_i(peek_word_we[s]),
+          .peek_x_bit_bank_i(peek_x_bit_bank[s]),
+          .peek_x_word_bank_i(peek_x_word_bank[s*BITS+:BITS]),
           .peek_start_i(peek_start[s]),
           .peek_run_i(peek_run[s]),
           .peek_div_i(peek_div[s]),
@@ -331,6 +341,7 @@ module core_proof #(
           .peek_ldh_i(peek_ldh[s]),
           .peek_s1_i(peek_s1[s*BITS+:BITS]),
           .peek_s2_i(peek_s2[s*BITS+:BITS]),
+          .peek_bit_op_i(peek_bit_op[s*6+:6]),
           .peek_alu_op_i(peek_alu_op[s*6+:6]),
           .peek_alu_acc_i(peek_alu_acc[s*BITS+:BITS]),
           .peek_alu_result_i(peek_alu_result[s*BITS+:BITS]),
@@ -430,6 +441,7 @@ module core_proof #(
       assert (!busy && !some && !peek_waits && !peek_waiting && peek_fetch[3:0] == 4'd0);
       assert (peek_step == {SLOTS * SLOT_BITS{1'b0}} && !peek_access[40] && host_access == 6'd0);
     end
+    if (age_q >= 3'd2 && !known) assert (!peek_accesses[0] && !peek_reads[0]);
     if (known) begin
       assert ({held_bits, held_words} == {bits_before_q, words_before_q});
       assert ({coming_bits, coming_words} == {bits_q, words_q});

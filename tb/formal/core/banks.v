@@ -15,11 +15,12 @@ module banks #(
     input wire [SLOTS-1:0] we_i,
     input wire [SLOTS*ADDR_BITS-1:0] dest_i,
     input wire [SLOTS*WIDTH-1:0] data_i,
-    // each bank, the devices now, and behind those writes
+    // each bank; the devices now, and behind those writes, and then what the others of each bank hold
     output reg alike_o,
     output reg [SLOTS*BANK-1:0] banks_o,
     output reg [BANK-1:0] held_o,
-    output reg [BANK-1:0] coming_o
+    output reg [BANK-1:0] coming_o,
+    output reg [SLOTS*BANK-1:0] others_o
 );
 
   reg [SLOTS*BANK-1:0] next;
@@ -41,6 +42,7 @@ module banks #(
       held_o = held_o ^ banks_o[b*BANK+:BANK];
       coming_o = coming_o ^ next[b*BANK+:BANK];
     end
+    for (b = 0; b < SLOTS; b = b + 1) others_o[b*BANK+:BANK] = coming_o ^ next[b*BANK+:BANK];
   end
 
 endmodule

@@ -14,6 +14,7 @@ module slot_way #(
     parameter SLOT_BITS = 31
 ) (
     input wire clk_i,
+    input wire quiet_i,  // still reset, and nothing in ID2
     input wire known_i,
     input wire scan_start_i,
     // steps in ID1, and in ID2 (lowest), ID3, EX; a step's pass; its number in EX
@@ -35,9 +36,11 @@ module slot_way #(
     input wire [1:0] unit_index_i,
     input wire [BITS-1:0] unit_word_i,
     input wire unit_valid_i,
-    // the slot's bank
+    // the slot's bank, and what the other banks hold
     input wire [(1<<BIT_ADDR)-1:0] bit_bank_i,
     input wire [(BITS<<WORD_ADDR)-1:0] word_bank_i,
+    input wire [(1<<BIT_ADDR)-1:0] other_bits_i,
+    input wire [(BITS<<WORD_ADDR)-1:0] other_words_i,
     // inside the hardware, as in core_proof.v
     input wire peek_exc_i,
     input wire [`RUNG_BLOCK_STACK-1:0] peek_block_i,
@@ -49,6 +52,8 @@ module slot_way #(
     input wire peek_ix_dest_i,
     input wire peek_bit_we_i,
     input wire peek_word_we_i,
+    input wire peek_x_bit_bank_i,
+    input wire [BITS-1:0] peek_x_word_bank_i,
     input wire peek_start_i,
     input wire peek_run_i,
     input wire peek_div_i,
@@ -56,6 +61,7 @@ module slot_way #(
     input wire peek_ldh_i,
     input wire [BITS-1:0] peek_s1_i,
     input wire [BITS-1:0] peek_s2_i,
+    input wire [5:0] peek_bit_op_i,
     input wire [5:0] peek_alu_op_i,
     input wire [BITS-1:0] peek_alu_acc_i,
     input wire [BITS-1:0] peek_alu_result_i,
@@ -194,6 +200,11 @@ module slot_way #(
     end
   end
 
+  // Destinations from ID2 to the second clock after EX.
+  reg [BIT_ADDR-1:0] bit_dest_q[1:5];
+  reg [WORD_ADDR-1:0] word_dest_q[1:5];
+  wire [WORD_ADDR-1:0] x_word_dest = word_dest_q[3];
+
   reg [5:0] alu_op_q[1:2];
   always @(posedge clk_i) {alu_op_q[2], alu_op_q[1]} <= {alu_op_q[1], peek_alu_op_i};
   wire [5:0] alu_op = alu_op_q[2];
@@ -222,6 +233,12 @@ module slot_way #(
         assert (retire_word_data_i == word_value_o);
       end
 
+      // what the slot's bank gets
+      if (peek_bit_we_i)
+        assert (peek_x_bit_bank_i == (other_bits_i[bit_dest_q[3]] ^ retire_bit_data_i));
+      if (peek_word_we_i)
+        assert (peek_x_word_bank_i == (other_words_i[x_word_dest*BITS+:BITS] ^ retire_word_data_i));
+
       // what ALU and unit are asked
       if (valid && first_i[2] && retires) assert (alu_op == op);
       else assert (!sets_carry);
@@ -242,15 +259,18 @@ module slot_way #(
   reg [3:1] sets_ix_q;
   always @* if (d1_valid_i && uses_ix(d1_op)) assume (sets_ix_q == 3'b000);
   always @* begin
+    if (quiet_i) begin
+      assert (peek_alu_op_i == `RUNG_OP_NOP && peek_bit_op_i == `RUNG_OP_NOP);
+      assert (!peek_ix_source_i && !peek_ix_dest_i);
+    end
     if (known_i) begin
+      assert (peek_bit_op_i == peek_alu_op_i);
       assert (peek_ix_source_i == (d1_op == `RUNG_OP_MVX || d1_op == `RUNG_OP_MVBX));
       assert (peek_ix_dest_i == writes_ix(d1_op));
     end
   end
 
   // ---- ID2 to EX, and behind EX: destinations; where nothing is written, for the compares only --
-  reg [BIT_ADDR-1:0] bit_dest_q[1:5];
-  reg [WORD_ADDR-1:0] word_dest_q[1:5];
   integer i;
   always @(posedge clk_i) begin
     sets_ix_q <= {sets_ix_q[2:1], d1_valid_i && d1_first_i && d1_op == `RUNG_OP_IX};

@@ -9,6 +9,7 @@ from __future__ import annotations
 import argparse
 import concurrent.futures
 import datetime
+import hashlib
 import json
 import os
 import re
@@ -66,9 +67,25 @@ def script(proof: Proof, mode: str, depth: int, sources: list[Path]) -> str:
                       f"hierarchy -top {proof['top']}{parameters}", *peeks(proof), f"prep -top {proof['top']}", "[files]", *map(str, sources), ""])
 
 
-def run(name: str, text: str) -> tuple[str, float]:
-    """sby's verdict (PASS, FAIL, UNKNOWN, ERROR, TIMEOUT) and the seconds it took."""
+def fingerprint(text: str, sources: list[Path]) -> str:
+    """Of all that a verdict depends on: the task, the Verilog, Yosys and yices."""
+    headers = [*sorted(tools.GENERATED.glob("*.vh")), *sorted((tools.ROOT / "hdl" / "core").glob("*.vh"))]
+    digest = hashlib.sha256(f"{yosys_version()} {tools.version(str(tools.VENV_BIN / 'yices'))}\n".encode())
+    digest.update(re.sub(r"^/.*\n?", "", text, flags=re.MULTILINE).encode())
+    for file in [*sources, *headers]:
+        digest.update(file.name.encode() + file.read_bytes())
+    return digest.hexdigest()
+
+
+def run(name: str, text: str, sources: list[Path], wanted: str) -> tuple[str, float]:
+    """sby's verdict (PASS, FAIL, UNKNOWN, ERROR, TIMEOUT) and the seconds it took; both as they were if nothing has changed since."""
     WORK.mkdir(parents=True, exist_ok=True)
+    known = WORK / f"{name}.json"
+    key = fingerprint(text, sources)
+    if known.exists():
+        last = json.loads(known.read_text(encoding="utf-8"))
+        if last["key"] == key and last["verdict"] == wanted:
+            return last["verdict"], last["seconds"]
     file = WORK / f"{name}.sby"
     file.write_text(text, encoding="utf-8")
     tools.LOGS.mkdir(parents=True, exist_ok=True)
@@ -77,7 +94,9 @@ def run(name: str, text: str) -> tuple[str, float]:
         # The solver is found by its name.
         status = subprocess.run([*SBY, "-d", str(WORK / name), str(file)], stdout=log, stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL,
                                 env={**os.environ, "PATH": f"{tools.VENV_BIN}:{os.environ['PATH']}"}, check=False).returncode
-    return {0: "PASS", 2: "FAIL", 4: "UNKNOWN", 8: "TIMEOUT"}.get(status, "ERROR"), round(time.monotonic() - start, 1)
+    verdict, seconds = {0: "PASS", 2: "FAIL", 4: "UNKNOWN", 8: "TIMEOUT"}.get(status, "ERROR"), round(time.monotonic() - start, 1)
+    known.write_text(json.dumps({"key": key, "verdict": verdict, "seconds": seconds}), encoding="utf-8")
+    return verdict, seconds
 
 
 def sources_of(proof: Proof, changed: dict[str, Path]) -> list[Path]:
@@ -87,8 +106,9 @@ def sources_of(proof: Proof, changed: dict[str, Path]) -> list[Path]:
 def prove(proof: Proof) -> Proof:
     """Both tasks of a proof."""
     files = sources_of(proof, {})
-    verdict, seconds = run(f"{proof['name']}-prf", script(proof, proof["mode"], proof["depth"], files))
-    cover, cover_seconds = run(f"{proof['name']}-cvr", script(proof, "cover", proof.get("cover_depth", proof["depth"] + 10), files))
+    verdict, seconds = run(f"{proof['name']}-prf", script(proof, proof["mode"], proof["depth"], files), files, "PASS")
+    cover, cover_seconds = run(f"{proof['name']}-cvr", script(proof, "cover", proof.get("cover_depth", proof["depth"] + 10), files),
+                               files, "PASS")
     tools.say(f"{proof['name']}: {verdict} in {seconds} s, cover {cover} in {cover_seconds} s")
     return {**proof, "verdict": verdict, "seconds": seconds, "cover": cover, "cover_seconds": cover_seconds}
 
@@ -105,7 +125,8 @@ def inject(fault: dict[str, str], proof: Proof) -> dict[str, Any]:
     folder.mkdir(parents=True)
     changed = folder / source.name
     changed.write_text(text.replace(fault["from"], fault["to"]), encoding="utf-8")
-    verdict, seconds = run(f"fault-{number}", script(proof, "bmc", proof.get("cover_depth", proof["depth"]), sources_of(proof, {fault["file"]: changed})))
+    files = sources_of(proof, {fault["file"]: changed})
+    verdict, seconds = run(f"fault-{number}", script(proof, "bmc", proof.get("cover_depth", proof["depth"]), files), files, "FAIL")
     tools.say(f"fault '{fault['name']}': {'caught' if verdict == 'FAIL' else verdict} in {seconds} s")
     return {"name": fault["name"], "proof": proof["name"], "file": fault["file"], "caught": verdict == "FAIL", "seconds": seconds}
 
@@ -114,7 +135,7 @@ def render(report: dict[str, Any]) -> str:
     kinds = {"prove": "unbounded, induction over {}", "bmc": "all runs of {} clocks"}
     lines = ["# Proofs", "",
              f"Made by `make formal` on {report['date']} with {report['tools']['yosys']}, sby and yices ({report['tools']['yices']}). "
-             "Seconds are those of a shared machine.", "",
+             "Seconds are those of a shared machine; what has not changed since it was last proven is not proven again.", "",
              "| proof | shows | kind | s | assumes | not shown |", "|---|---|---|--:|---|---|"]
     for proof in report["proofs"]:
         lines.append(f"| {proof['name']} | {proof['shows']} | {kinds[proof['mode']].format(proof['depth'])} | {proof['seconds']} | "
@@ -128,9 +149,12 @@ def render(report: dict[str, Any]) -> str:
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--fresh", action="store_true", help="prove again what has not changed, too")
     parser.add_argument("--only", nargs="+", metavar="PROOF", help="and write no report")
     arguments = parser.parse_args()
     tools.generate_isa_header()
+    if arguments.fresh:
+        shutil.rmtree(WORK, ignore_errors=True)
     tables = [tomllib.loads(file.read_text(encoding="utf-8")) for file in sorted(FOLDER.glob("*.toml"))]
     chosen = [proof for table in tables for proof in table["proof"] if not arguments.only or proof["name"] in arguments.only]
     by_name = {proof["name"]: proof for proof in chosen}

@@ -68,12 +68,13 @@ def script(proof: Proof, mode: str, depth: int, sources: list[Path]) -> str:
 
 
 def fingerprint(text: str, sources: list[Path]) -> str:
-    """Of all that a verdict depends on: the task, the Verilog, Yosys and yices."""
+    """Of all that a verdict depends on: the task, the Verilog without its comments, Yosys and yices."""
     headers = [*sorted(tools.GENERATED.glob("*.vh")), *sorted((tools.ROOT / "hdl" / "core").glob("*.vh"))]
     digest = hashlib.sha256(f"{yosys_version()} {tools.version(str(tools.VENV_BIN / 'yices'))}\n".encode())
     digest.update(re.sub(r"^/.*\n?", "", text, flags=re.MULTILINE).encode())
     for file in [*sources, *headers]:
-        digest.update(file.name.encode() + file.read_bytes())
+        code = re.sub(r"//.*", "", file.read_text(encoding="utf-8"))
+        digest.update(" ".join([file.name, *code.split()]).encode())
     return digest.hexdigest()
 
 

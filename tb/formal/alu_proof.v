@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The word arithmetic of a slot (hdl/core/alu.v), full width: result, test and carry of every opcode are those of
-// model/word_model.v, for any operands and after any instructions; the bank gets result exclusive-or what the other banks hold.
+// The word arithmetic of a slot (hdl/core/alu.v), full width: result, test and carry of every opcode are
+// those of model/word_model.v, for any operands and after any instructions; the bank gets result
+// exclusive-or what the other banks hold.
 `default_nettype none
 `include "rung_isa.vh"
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// MPU1, MPU2, MPU3 (hdl/core/core.v) over the retire port: whatever steps come, and whatever the host does between scans, each
-// instruction does what model/slot_model.v says with the devices as all steps before it have left them, in the
-// clock in which it retires, and nothing else writes. The model has no pipeline, so that this is forwarding at
-// every distance and from either slot, N0, gating, write order, indexed access and the load port in one. Program
-// memory and multiply-divide unit are free (free/); they have proofs of their own.
+// MPU1, MPU2, MPU3 (hdl/core/core.v) over the retire port: whatever steps come, and whatever the host does
+// between scans, each instruction does what model/slot_model.v says with the devices as all steps before it
+// have left them, in the clock in which it retires, and nothing else writes. The model has no pipeline, so
+// that this is forwarding at every distance and from either slot, N0, gating, write order, indexed access
+// and the load port in one. Program memory, ALU and multiply-divide unit are free (free/); they have proofs
+// of their own. What is asserted beside that of the stages (core/) is what induction needs.
 `default_nettype none
 `include "rung_isa.vh"
 

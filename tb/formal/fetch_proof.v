@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fetch (hdl/core/fetch.v): a scan gives ID1 the steps from its first to its last, each once, in order, one a clock unless ID1
-// holds, each as it was loaded; the first is there four clocks after the start, done three clocks behind the end, and
-// the clocks of a scan are those that its steps stay in ID1 and RUNG_FILL_CLOCKS more, whatever the program.
+// Fetch (hdl/core/fetch.v): a scan gives ID1 the steps from its first to its last, each once, in order, one
+// a clock unless ID1 holds, each as it was loaded; the first is there four clocks after the start, done
+// three clocks behind the end, and the clocks of a scan are those that its steps stay in ID1 and
+// RUNG_FILL_CLOCKS more, whatever the program.
 `default_nettype none
 `include "rung_isa.vh"
 

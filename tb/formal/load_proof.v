@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the load port (hdl/core/load_port.v) loads directly: a chunk of a step or the program's length is with fetch a clock after
-// it was accepted, accesses during a scan are nowhere, and a look-up of any slot gets the row as it was last loaded.
-// Devices are core_proof.v's, what fetch does with chunks fetch_proof.v's.
+// What the load port (hdl/core/load_port.v) loads directly: a chunk of a step or the program's length is
+// with fetch a clock after it was accepted, accesses during a scan are nowhere, and a look-up of any slot
+// gets the row as it was last loaded. Devices are core_proof.v's, what fetch does with chunks
+// fetch_proof.v's.
 `default_nettype none
 `include "rung_isa.vh"
 

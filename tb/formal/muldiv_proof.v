@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The multiply-divide unit (hdl/core/muldiv.v), full width, without bound: whatever is started whenever, from the latency on all
-// words of the result are there, until the next start. A product is the sum of s2 times the weight of each bit of s1, the sign
-// bit's weight being negative; a division's result is a quotient and a remainder, smaller than the divisor, with quotient *
-// divisor + remainder = dividend, by magnitude. Both are followed bit by bit, so that a step is small for the solver.
+// The multiply-divide unit (hdl/core/muldiv.v), full width, without bound: whatever is started whenever,
+// from the latency on all words of the result are there, until the next start. A product is the sum of s2
+// times the weight of each bit of s1, the sign bit's weight being negative; a division's result is a
+// quotient and a remainder, smaller than the divisor, with quotient * divisor + remainder = dividend, by
+// magnitude. Both are followed bit by bit, so that a step is small for the solver.
 `default_nettype none
 `include "rung_isa.vh"
 
@@ -205,8 +206,9 @@ module muldiv_proof #(
       assert (ones_q == (wide_q ? 32'hFFFFFFFF : 32'hFFFF0000) << steps);
       assert ({taken_q, left_q} == {32'd0, aligned} << steps);
       assert ((left_q & ~ones_q) == 32'd0);
-      if (wide_q) assert (peek_low == (left_q | quotient) && (quotient & ones_q) == 32'd0);
-      else begin
+      if (wide_q) begin
+        assert (peek_low == (left_q | quotient) && (quotient & ones_q) == 32'd0);
+      end else begin
         assert (peek_low[15:0] == (left_q[31:16] | quotient[15:0]));
         assert ((quotient & ones_q >> 16) == 32'd0 && quotient[31:16] == 16'd0);
       end

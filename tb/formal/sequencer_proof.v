@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Constant latency (hdl/core/sequencer.v): a step stays one clock in ID1, or, with a waiting MUL, DIV, MULD or DIVD, the
-// longest of their latencies and one more, of which the first is its first pass and the last its last pass. Opcodes
-// are free.
+// Constant latency (hdl/core/sequencer.v): a step stays one clock in ID1, or, with a waiting MUL, DIV, MULD
+// or DIVD, the longest of their latencies and one more, of which the first is its first pass and the last
+// its last pass. Opcodes are free.
 `default_nettype none
 `include "rung_isa.vh"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// For core_proof.v: what the device memories hold, as devices: the exclusive-or of the banks, of which all copies are to be alike.
+// For core_proof.v: what the device memories hold, as devices: the exclusive-or of the banks, of which all
+// copies are to be alike.
 `default_nettype none
 
 module banks #(

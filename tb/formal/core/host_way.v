@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// For core_proof.v: a host access, from the load port to slot 0's EX, where it reads or writes its device behind all that was
-// accepted before, and to the answer in the sixth clock.
+// For core_proof.v: a host access, from the load port to slot 0's EX, where it reads or writes its device
+// behind all that was accepted before, and to the answer in the sixth clock.
 `default_nettype none
 `include "rung_isa.vh"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// For core_proof.v, one slot: its registers beside those of the model, what retires beside what the model says, and, so that
-// induction goes through, what stands in the stages from ID1 to the second clock after EX.
+// For core_proof.v, one slot: its registers beside those of the model, what retires beside what the model
+// says, and, so that induction goes through, what stands in the stages from ID1 to the second clock after
+// EX.
 `default_nettype none
 `include "rung_isa.vh"
 
@@ -240,8 +241,7 @@ module slot_way #(
         assert (peek_x_word_bank_i == (other_words_i[x_word_dest*BITS+:BITS] ^ retire_word_data_i));
 
       // what ALU and unit are asked
-      if (valid && first_i[2] && retires) assert (alu_op == op);
-      else assert (!sets_carry);
+      assert (valid && first_i[2] && retires ? alu_op == op : !sets_carry);
       if (valid && has_words) begin
         assert (peek_s1_i == s1 && peek_s2_i == s2 && peek_alu_acc_i == acc_q);
       end

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any result whatever, in the place of hdl/core/alu.v: for proofs that are not about it. What it gets is for the proof to
-// look at; what it makes of that is alu_proof.v's. Kept are that only a test gives a 1, and what the bank gets.
+// Any result whatever, in the place of hdl/core/alu.v: for proofs that are not about it. What it gets is for
+// the proof to look at; what it makes of that is alu_proof.v's. Kept are that only a test gives a 1, and
+// what the bank gets.
 `default_nettype none
 `include "rung_isa.vh"
 

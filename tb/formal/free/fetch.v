@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any program whatever, in the place of hdl/core/fetch.v: any steps, with gaps, of any number, from the third clock
-// after a start on, until an end token; held like its own. What fetch_proof.v shows of the real one is what
-// is kept here.
+// Any program whatever, in the place of hdl/core/fetch.v: any steps, with gaps, of any number, from the
+// third clock after a start on, until an end token; held like its own. What fetch_proof.v shows of the real
+// one is what is kept here.
 `default_nettype none
 
 module fetch #(

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any result whatever, in the place of hdl/core/muldiv.v: for proofs that are not about it. What it is asked is for the
-// proof to look at; what it answers then is muldiv_proof.v's.
+// Any result whatever, in the place of hdl/core/muldiv.v: for proofs that are not about it. What it is asked
+// is for the proof to look at; what it answers then is muldiv_proof.v's.
 `default_nettype none
 `include "rung_isa.vh"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What one instruction of MPU1 to MPU3 does to its slot and to the devices, from hdl/isa/README.md: no clock, no pipeline.
-// Devices are as all steps before have left them. An instruction that waits for its unit is issued twice: the first
-// pass starts the unit, the last writes what the unit gives.
+// What one instruction of MPU1 to MPU3 does to its slot and to the devices, from hdl/isa/README.md: no
+// clock, no pipeline. Devices are as all steps before have left them. An instruction that waits for its unit
+// is issued twice: the first pass starts the unit, the last writes what the unit gives.
 `default_nettype none
 `include "rung_isa.vh"
 

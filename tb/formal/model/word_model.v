@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a word instruction or a test of MPU1 to MPU3 means, from hdl/isa/README.md: its result from its operands, without
-// a clock and without the hardware's tricks. Who writes it where, and whether, is slot_model.v's.
+// What a word instruction or a test of MPU1 to MPU3 means, from hdl/isa/README.md: its result from its
+// operands, without a clock and without the hardware's tricks. Who writes it where, and whether, is
+// slot_model.v's.
 `default_nettype none
 `include "rung_isa.vh"
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Prove what tb/formal/proofs.toml lists, show that the proofs refuse its faults, write reports/formal.md and formal.json.
+"""Prove what tb/formal/*.toml list, show that the proofs refuse their faults, write reports/formal.md and formal.json.
 
 Exit code 1 if a proof, a cover or a fault is not as it should be; then no report is written.
 """
@@ -9,8 +9,10 @@ from __future__ import annotations
 import argparse
 import concurrent.futures
 import datetime
+import hashlib
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -30,19 +32,61 @@ ENGINE = "smtbmc yices"
 Proof = dict[str, Any]
 
 
+def signals(names: str | list[str]) -> list[str]:
+    """Names of signals, the highest first; `{b..a}` in a name stands for the numbers from b down to a."""
+    if isinstance(names, list):
+        return [signal for name in names for signal in signals(name)]
+    span = re.search(r"\{(\d+)\.\.(\d+)\}", names)
+    if not span:
+        return [names]
+    return [signal for number in range(int(span[1]), int(span[2]) - 1, -1)
+            for signal in signals(names[:span.start()] + str(number) + names[span.end():])]
+
+
+def peeks(proof: Proof) -> list[str]:
+    """Yosys commands that connect the proof's inputs `peek_*` to registers and wires inside the hardware.
+
+    Verilog's way, a hierarchical reference, Yosys turns into an undriven wire. A name that is not there is an error here.
+    """
+    if "peek" not in proof:
+        return []
+    top = proof["top"]
+    commands = ["proc", "flatten"] + [f"memory_map {top}/m:{memory}" for memory in proof.get("registers", [])]
+    for port, inside in proof["peek"].items():
+        commands += [f"delete -port {top}/w:{port}", f"connect -nounset -set {port} {','.join(signals(inside))}"]
+    return [*commands, "check -assert"]
+
+
 def script(proof: Proof, mode: str, depth: int, sources: list[Path]) -> str:
     """An .sby file for one task of a proof."""
     parameters = "".join(f" -chparam {name} {value}" for name, value in proof["parameters"].items())
     names = " ".join(source.name for source in sources)
     return "\n".join(["[options]", f"mode {mode}", f"depth {depth}", "[engines]", ENGINE, "[script]",
                       # RUNG_RETIRE: a word that is read while it is written is wrong, as nobody may use it.
-                      f"read -formal -DRUNG_RETIRE -I{tools.GENERATED} {names}",
-                      f"hierarchy -top {proof['top']}{parameters}", f"prep -top {proof['top']}", "[files]", *map(str, sources), ""])
+                      f"read -formal -DRUNG_RETIRE -I{tools.GENERATED} -I{tools.ROOT / 'hdl' / 'core'} {names}",
+                      f"hierarchy -top {proof['top']}{parameters}", *peeks(proof), f"prep -top {proof['top']}", "[files]", *map(str, sources), ""])
 
 
-def run(name: str, text: str) -> tuple[str, float]:
-    """sby's verdict (PASS, FAIL, UNKNOWN, ERROR, TIMEOUT) and the seconds it took."""
+def fingerprint(text: str, sources: list[Path]) -> str:
+    """Of all that a verdict depends on: the task, the Verilog without its comments, Yosys and yices."""
+    headers = [*sorted(tools.GENERATED.glob("*.vh")), *sorted((tools.ROOT / "hdl" / "core").glob("*.vh"))]
+    digest = hashlib.sha256(f"{yosys_version()} {tools.version(str(tools.VENV_BIN / 'yices'))}\n".encode())
+    digest.update(re.sub(r"^/.*\n?", "", text, flags=re.MULTILINE).encode())
+    for file in [*sources, *headers]:
+        code = re.sub(r"//.*", "", file.read_text(encoding="utf-8"))
+        digest.update(" ".join([file.name, *code.split()]).encode())
+    return digest.hexdigest()
+
+
+def run(name: str, text: str, sources: list[Path], wanted: str) -> tuple[str, float]:
+    """sby's verdict (PASS, FAIL, UNKNOWN, ERROR, TIMEOUT) and the seconds it took; both as they were if nothing has changed since."""
     WORK.mkdir(parents=True, exist_ok=True)
+    known = WORK / f"{name}.json"
+    key = fingerprint(text, sources)
+    if known.exists():
+        last = json.loads(known.read_text(encoding="utf-8"))
+        if last["key"] == key and last["verdict"] == wanted:
+            return last["verdict"], last["seconds"]
     file = WORK / f"{name}.sby"
     file.write_text(text, encoding="utf-8")
     tools.LOGS.mkdir(parents=True, exist_ok=True)
@@ -51,7 +95,9 @@ def run(name: str, text: str) -> tuple[str, float]:
         # The solver is found by its name.
         status = subprocess.run([*SBY, "-d", str(WORK / name), str(file)], stdout=log, stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL,
                                 env={**os.environ, "PATH": f"{tools.VENV_BIN}:{os.environ['PATH']}"}, check=False).returncode
-    return {0: "PASS", 2: "FAIL", 4: "UNKNOWN", 8: "TIMEOUT"}.get(status, "ERROR"), round(time.monotonic() - start, 1)
+    verdict, seconds = {0: "PASS", 2: "FAIL", 4: "UNKNOWN", 8: "TIMEOUT"}.get(status, "ERROR"), round(time.monotonic() - start, 1)
+    known.write_text(json.dumps({"key": key, "verdict": verdict, "seconds": seconds}), encoding="utf-8")
+    return verdict, seconds
 
 
 def sources_of(proof: Proof, changed: dict[str, Path]) -> list[Path]:
@@ -61,8 +107,9 @@ def sources_of(proof: Proof, changed: dict[str, Path]) -> list[Path]:
 def prove(proof: Proof) -> Proof:
     """Both tasks of a proof."""
     files = sources_of(proof, {})
-    verdict, seconds = run(f"{proof['name']}-prf", script(proof, proof["mode"], proof["depth"], files))
-    cover, cover_seconds = run(f"{proof['name']}-cvr", script(proof, "cover", proof["depth"] + 10, files))
+    verdict, seconds = run(f"{proof['name']}-prf", script(proof, proof["mode"], proof["depth"], files), files, "PASS")
+    cover, cover_seconds = run(f"{proof['name']}-cvr", script(proof, "cover", proof.get("cover_depth", proof["depth"] + 10), files),
+                               files, "PASS")
     tools.say(f"{proof['name']}: {verdict} in {seconds} s, cover {cover} in {cover_seconds} s")
     return {**proof, "verdict": verdict, "seconds": seconds, "cover": cover, "cover_seconds": cover_seconds}
 
@@ -79,7 +126,8 @@ def inject(fault: dict[str, str], proof: Proof) -> dict[str, Any]:
     folder.mkdir(parents=True)
     changed = folder / source.name
     changed.write_text(text.replace(fault["from"], fault["to"]), encoding="utf-8")
-    verdict, seconds = run(f"fault-{number}", script(proof, "bmc", proof["depth"], sources_of(proof, {fault["file"]: changed})))
+    files = sources_of(proof, {fault["file"]: changed})
+    verdict, seconds = run(f"fault-{number}", script(proof, "bmc", proof.get("cover_depth", proof["depth"]), files), files, "FAIL")
     tools.say(f"fault '{fault['name']}': {'caught' if verdict == 'FAIL' else verdict} in {seconds} s")
     return {"name": fault["name"], "proof": proof["name"], "file": fault["file"], "caught": verdict == "FAIL", "seconds": seconds}
 
@@ -88,7 +136,7 @@ def render(report: dict[str, Any]) -> str:
     kinds = {"prove": "unbounded, induction over {}", "bmc": "all runs of {} clocks"}
     lines = ["# Proofs", "",
              f"Made by `make formal` on {report['date']} with {report['tools']['yosys']}, sby and yices ({report['tools']['yices']}). "
-             "Seconds are those of a shared machine.", "",
+             "Seconds are those of a shared machine; what has not changed since it was last proven is not proven again.", "",
              "| proof | shows | kind | s | assumes | not shown |", "|---|---|---|--:|---|---|"]
     for proof in report["proofs"]:
         lines.append(f"| {proof['name']} | {proof['shows']} | {kinds[proof['mode']].format(proof['depth'])} | {proof['seconds']} | "
@@ -102,16 +150,19 @@ def render(report: dict[str, Any]) -> str:
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--fresh", action="store_true", help="prove again what has not changed, too")
     parser.add_argument("--only", nargs="+", metavar="PROOF", help="and write no report")
     arguments = parser.parse_args()
     tools.generate_isa_header()
-    table = tomllib.loads((FOLDER / "proofs.toml").read_text(encoding="utf-8"))
-    chosen = [proof for proof in table["proof"] if not arguments.only or proof["name"] in arguments.only]
+    if arguments.fresh:
+        shutil.rmtree(WORK, ignore_errors=True)
+    tables = [tomllib.loads(file.read_text(encoding="utf-8")) for file in sorted(FOLDER.glob("*.toml"))]
+    chosen = [proof for table in tables for proof in table["proof"] if not arguments.only or proof["name"] in arguments.only]
     by_name = {proof["name"]: proof for proof in chosen}
     with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
         proofs = list(pool.map(prove, chosen))
         faults = list(pool.map(lambda fault: inject(fault, by_name[fault["proof"]]),
-                               [fault for fault in table["fault"] if fault["proof"] in by_name]))
+                               [fault for table in tables for fault in table["fault"] if fault["proof"] in by_name]))
     wrong = [proof["name"] for proof in proofs if (proof["verdict"], proof["cover"]) != ("PASS", "PASS")]
     wrong += [fault["name"] for fault in faults if not fault["caught"]]
     if wrong:

@@ -3,8 +3,6 @@
 
 #include <zlib.h>
 
-#include <cstdlib>
-#include <iostream>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,6 +11,8 @@
 #include "backends/list_writer.hpp"
 #include "flowchart/read.hpp"
 #include "fuzz/bytecode_reader.hpp"
+#include "fuzz/host_readers.hpp"
+#include "fuzz/require.hpp"
 #include "image/image_file.hpp"
 #include "io/bind.hpp"
 #include "ldmicro/ldmicro.hpp"
@@ -29,12 +29,6 @@
 
 namespace rung::fuzz {
 namespace {
-
-void require(bool condition, std::string_view what) {
-  if (condition) return;
-  std::cerr << what << '\n';
-  std::abort();
-}
 
 // What is refused has an error, what is accepted none; and printing the messages must do too.
 void check(bool accepted, const Diagnostics& diagnostics) {
@@ -199,6 +193,7 @@ void read_image(std::string_view bytes) {
   read_image_file(bytes);
   read_image_file(wrapped(bytes, image::kPlainVersion));
   read_image_file(wrapped(bytes, image::kFlowVersion));
+  read_image_file(wrapped(bytes, image::kWideVersion));
 }
 
 // A map as it is, then bound to a list; of what is refused each line says why.
@@ -290,6 +285,9 @@ constexpr Reader kReaders[] = {
     {"io_map", read_io_map},
     {"load_file", read_load_file},
     {"flow", read_flow},
+    {"mbap", read_mbap},
+    {"console", read_console},
+    {"view", read_view},
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "fuzz/hardware_readers.hpp"
 #include "fuzz/readers.hpp"
 
 namespace rung::fuzz {
@@ -27,8 +28,15 @@ TEST_P(Corpus, IsReadWithoutAFault) {
   EXPECT_GT(files, 5) << folder;
 }
 
+std::string name_of(const testing::TestParamInfo<Reader>& info) {
+  return std::string(info.param.name);
+}
+
 INSTANTIATE_TEST_SUITE_P(Readers, Corpus, testing::ValuesIn(readers().begin(), readers().end()),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         name_of);
+INSTANTIATE_TEST_SUITE_P(Hardware, Corpus,
+                         testing::ValuesIn(hardware_readers().begin(), hardware_readers().end()),
+                         name_of);
 
 }  // namespace
 }  // namespace rung::fuzz

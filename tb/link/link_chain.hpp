@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <vector>
 
@@ -23,7 +24,15 @@ class Line {
     fault_ = fault;
     until_ = until;
   }
+  // These levels instead of what is sent, a clock each.
+  void play(const std::deque<bool>& levels) {
+    played_.insert(played_.end(), levels.begin(), levels.end());
+  }
   bool through(bool level, World& world) {
+    if (!played_.empty()) {
+      level = played_.front();
+      played_.pop_front();
+    }
     if (fault_ != Fault::none && world.now >= until_) fault_ = Fault::none;
     switch (fault_) {
       case Fault::invert:
@@ -45,6 +54,7 @@ class Line {
   Fault fault_ = Fault::none;
   std::uint64_t until_ = 0;
   bool noise_ = true;
+  std::deque<bool> played_;
 };
 
 template <typename Dut>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// rung-soak BOARD SEED SCANS: one chunk of `make soak`; its counts as a JSON object on standard
-// output, exit code 1 and the difference in it where there is one.
+// rung-soak BOARD SEED SCANS [LEAST MOST]: one chunk of `make soak`, with LEAST to MOST scans of
+// each program; its counts as a JSON object on standard output, exit code 1 and the difference in
+// it where there is one.
 #include <fmt/format.h>
 
 #include <chrono>
@@ -30,14 +31,18 @@ std::vector<Swap> usual_swaps() {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 4) {
-    fmt::print(stderr, "usage: rung-soak BOARD SEED SCANS\n");
+  if (argc != 4 && argc != 6) {
+    fmt::print(stderr, "usage: rung-soak BOARD SEED SCANS [LEAST MOST]\n");
     return 2;
   }
   rung::tb::SoakOptions options;
   options.board = argv[1];
   options.seed = std::strtoull(argv[2], nullptr, 10);
   options.scans = std::atoll(argv[3]);
+  if (argc == 6) {
+    options.least_scans = std::atoll(argv[4]);
+    options.most_scans = std::atoll(argv[5]);
+  }
   options.swaps = usual_swaps();
   const auto start = std::chrono::steady_clock::now();
   const rung::tb::SoakResult result = rung::tb::run_soak(options);

@@ -3,10 +3,7 @@
 // modules, and to the firmware, compiled as it is for this machine.
 #pragma once
 
-#include <span>
 #include <string_view>
-
-#include "fuzz/reader.hpp"
 
 namespace rung::fuzz {
 
@@ -18,7 +15,5 @@ void read_controller(std::string_view bytes);
 // Requests to the firmware, and a flash with anything in it at its start.
 void read_modbus(std::string_view bytes);
 void read_flash(std::string_view bytes);
-
-std::span<const Reader> hardware_readers();
 
 }  // namespace rung::fuzz

@@ -94,7 +94,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--scans", type=int, default=GOAL, help="of the report, all runs together")
     parser.add_argument("--minutes", type=float, default=1e9, help="no new chunk begins after them")
-    parser.add_argument("--chunk", type=int, default=100_000, help="scans of a chunk")
+    parser.add_argument("--chunk", type=int, default=50_000, help="scans of a chunk")
     parser.add_argument("--jobs", type=int, default=2)
     # The larger board is some times slower: every other chunk would be most of the time.
     parser.add_argument("--boards", nargs="+", default=["hx8k"] * 7 + ["simulated"], help="of the chunks, in turn")

@@ -305,8 +305,9 @@ SoakResult run_soak(const SoakOptions& options) {
   RandomSource random(options.seed ^ 0x736F616B);
   try {
     session = std::make_unique<Session>(options);
-    for (std::size_t n = 0; session->scans() < options.scans; ++n) {
-      if (n > 0 && !options.swaps.empty()) session->swap(options.swaps[n % options.swaps.size()]);
+    for (std::size_t n = 0; n < options.programs || session->scans() < options.scans; ++n) {
+      if (n > 0 && !options.swaps.empty())
+        session->swap(options.swaps[(n - 1) % options.swaps.size()]);
       const auto range = static_cast<int>(options.most_scans - options.least_scans + 1);
       session->use(options.least_scans + random.below(range));
     }

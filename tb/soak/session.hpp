@@ -36,6 +36,7 @@ struct SoakOptions {
   std::string board = "hx8k";
   std::uint64_t seed = 1;
   std::int64_t scans = 100'000;  // at least
+  std::size_t programs = 1;      // at least
   // Of each program, at random.
   std::int64_t least_scans = 2000, most_scans = 14'000;
   // One after the other, again and again; a reset and a power cut cost millions of clocks.

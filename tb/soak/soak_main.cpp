@@ -4,6 +4,7 @@
 // it where there is one.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
@@ -17,7 +18,7 @@ using rung::tb::Swap;
 
 // A reset and a power cut among thirty programs: after each of them the controller's start alone
 // takes as long as some ten thousand scans.
-std::vector<Swap> usual_swaps() {
+std::vector<Swap> usual_swaps(std::uint64_t seed) {
   std::vector<Swap> swaps;
   for (int i = 0; i < 2; ++i) {
     swaps.insert(swaps.end(), {Swap::Running, Swap::Stopped, Swap::Again, Swap::Running,
@@ -25,6 +26,9 @@ std::vector<Swap> usual_swaps() {
                                Swap::Damaged, Swap::Stopped, Swap::Running, Swap::Again,
                                Swap::Running, Swap::Trip, i == 0 ? Swap::Reset : Swap::Power});
   }
+  // A chunk has fewer programs than that: each seed begins somewhere else.
+  const auto first = static_cast<std::ptrdiff_t>(seed * 7 % swaps.size());
+  std::rotate(swaps.begin(), swaps.begin() + first, swaps.end());
   return swaps;
 }
 
@@ -43,7 +47,7 @@ int main(int argc, char** argv) {
     options.least_scans = std::atoll(argv[4]);
     options.most_scans = std::atoll(argv[5]);
   }
-  options.swaps = usual_swaps();
+  options.swaps = usual_swaps(options.seed);
   const auto start = std::chrono::steady_clock::now();
   const rung::tb::SoakResult result = rung::tb::run_soak(options);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;

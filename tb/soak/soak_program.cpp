@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "driver/compile.hpp"
 #include "io/map.hpp"
@@ -13,6 +14,7 @@
 #include "melsec/list.hpp"
 #include "programs/random_melsec.hpp"
 #include "programs/random_source.hpp"
+#include "reference/reference.hpp"
 #include "rung_controller.hpp"
 #include "rungs/footprint.hpp"
 
@@ -22,6 +24,9 @@ namespace {
 namespace c = controller;
 
 constexpr int kMostTries = 200;
+// Many random programs do little at their outputs: of so many that fit, the liveliest.
+constexpr int kChoice = 4;
+constexpr int kTrialScans = 200;
 // Of the firmware, for the longest answer to a poll in points; each of them costs every scan a
 // clock.
 constexpr int kPoints[] = {16, 32, 64};
@@ -197,6 +202,27 @@ class Maker {
   int points_ = 0;
 };
 
+// Scans, of some, in which its outputs change.
+int lively(const SoakProgram& made) {
+  Reference reference(made.program, made.tick_us);
+  RandomSource random(made.seed);
+  std::vector<std::int16_t> before;
+  int changes = 0;
+  for (int scan = 0; scan < kTrialScans; ++scan) {
+    for (const io::Bindings::Input& input : made.bindings.inputs) {
+      if (random.percent(15)) reference.set(input.device, reference.get(input.device) == 0);
+    }
+    reference.run_scan();
+    std::vector<std::int16_t> now;
+    for (const io::Bindings::Output& output : made.bindings.outputs) {
+      now.push_back(reference.get(output.device));
+    }
+    changes += now != before ? 1 : 0;
+    before = std::move(now);
+  }
+  return changes;
+}
+
 }  // namespace
 
 std::shared_ptr<const SoakProgram> make_soak_program(const std::string& board,
@@ -205,9 +231,19 @@ std::shared_ptr<const SoakProgram> make_soak_program(const std::string& board,
   const controller::Board* const found = io::find_board(board);
   if (found == nullptr) throw std::runtime_error("no board " + board);
   RandomSource seeds(seed);
-  for (int i = 0; i < kMostTries; ++i) {
-    if (auto made = Maker(*found, clocks_per_ms, seeds.bits()).make()) return made;
+  std::shared_ptr<const SoakProgram> best;
+  int most = -1, fitting = 0;
+  for (int i = 0; i < kMostTries && fitting < kChoice; ++i) {
+    const auto made = Maker(*found, clocks_per_ms, seeds.bits()).make();
+    if (!made) continue;
+    ++fitting;
+    const int changes = lively(*made);
+    if (changes > most) {
+      most = changes;
+      best = made;
+    }
   }
+  if (best) return best;
   throw std::runtime_error(fmt::format("program {}: none of {} fits the board", seed, kMostTries));
 }
 

@@ -18,11 +18,12 @@ TEST(Soak, EverythingOnce) {
   SoakOptions options;
   const char* const given = std::getenv("RUNG_SEED");
   options.seed = given != nullptr ? std::strtoull(given, nullptr, 10) : 1;
-  options.scans = 3000;
+  options.scans = 1;
   options.least_scans = 100;
   options.most_scans = 300;
   options.swaps = {Swap::Running, Swap::Stopped, Swap::Again, Swap::WrongCrc,
                    Swap::Damaged, Swap::Trip,    Swap::Reset, Swap::Power};
+  options.programs = 1 + options.swaps.size();
   const SoakResult result = run_soak(options);
   for (const auto& [name, count] : result.counts) fmt::print("{}: {}\n", name, count);
   EXPECT_EQ(result.difference, "")

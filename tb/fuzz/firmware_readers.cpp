@@ -72,10 +72,11 @@ class Firmware {
     const auto answer = send({unit, 3, c::holding_identity >> 8, c::holding_identity & 0xFF, 0, 1});
     return answer == Bytes{unit, 3, 2, 0x52, 0x47};
   }
-  void keep_rules() {
+  // `flash_works`: it was never busy for ever, after which commands come to a busy one.
+  void keep_rules(bool flash_works) {
     require(machine_->points_too_many == 0, "an exchange of too many points");
     require(machine_->loads_while_running == 0, "the processor is loaded while it runs");
-    require(flash().violations == 0, "the flash is misused");
+    require(!flash_works || flash().violations == 0, "the flash is misused");
     require(!testing::Test::HasFailure(), "the machine has found a fault");
   }
 
@@ -115,6 +116,30 @@ void check_answer(const Bytes& frame, const std::optional<Bytes>& answer, std::u
   }
 }
 
+// What the compiler's reader says of files and the firmware does not ask.
+bool is_lenient(const std::string& problem) {
+  return problem.find("is set twice") != std::string::npos ||
+         problem.find("has no address") != std::string::npos ||
+         problem.find("of its header is not 0") != std::string::npos;
+}
+
+void start_with(const Words& file) {
+  Firmware firmware;
+  const bool loaded = firmware.machine().state != 3;
+  std::string problem;
+  const auto contents = load::read(file, problem);
+  require(!loaded || contents || is_lenient(problem), "it loads what is no load file: " + problem);
+  firmware.poll();
+  // Without a program it is unit 1; a file may say anything.
+  int unit = 1;
+  if (loaded) {
+    unit = contents ? contents->at(c::space_host, c::host_unit).value_or(1) : 0;
+  }
+  require(unit < 1 || unit > 247 || firmware.answers(static_cast<std::uint8_t>(unit)),
+          "a good request is not answered");
+  firmware.keep_rules(true);
+}
+
 }  // namespace
 
 // Requests, polls, power cuts, the switch, a flash that does not write, time: each frame for the
@@ -124,6 +149,7 @@ void read_modbus(std::string_view bytes) {
   flash() = start.flash_then;
   auto firmware = std::make_unique<Firmware>(*start.firmware);
   Input input(bytes);
+  bool flash_works = true;
   for (int n = 0; !input.empty() && n < 100; ++n) {
     switch (input.below(16)) {
       case 0:
@@ -137,6 +163,7 @@ void read_modbus(std::string_view bytes) {
         break;
       case 3:
         flash().stuck_busy = !flash().stuck_busy;
+        flash_works = false;
         break;
       case 4:
         firmware->machine().milliseconds_offset += input.word();
@@ -163,12 +190,12 @@ void read_modbus(std::string_view bytes) {
       }
     }
     firmware->poll();
-    firmware->keep_rules();
+    firmware->keep_rules(flash_works);
   }
   flash().ignores_writes = flash().stuck_busy = false;
   for (int i = 0; i < 4; ++i) firmware->poll();
   require(firmware->answers(kUnit), "a good request is not answered");
-  firmware->keep_rules();
+  firmware->keep_rules(flash_works);
 }
 
 // The input as a load file with a right header and CRC in the first copy; what is behind it, the
@@ -198,25 +225,12 @@ void read_flash(std::string_view bytes) {
   const Bytes behind = input.bytes(8192);
   std::copy(behind.begin(), behind.end(), there.data().begin() + static_cast<std::ptrdiff_t>(ring));
 
-  std::unique_ptr<Firmware> firmware;
   try {
-    firmware = std::make_unique<Firmware>();
+    start_with(file);
   } catch (const std::out_of_range&) {
-    // An address that this configuration does not have: the compiler makes no such file.
-    return;
+    // An address that this configuration does not have: the compiler makes no such file, and the
+    // hardware leaves it out.
   }
-  const int state = firmware->machine().state;
-  require(state == 1 || state == 3, "neither running nor in a fault");
-  std::string problem;
-  if (state == 1)
-    require(load::read(file, problem).has_value(), "it runs what is no load file: " + problem);
-  firmware->poll();
-  bool answered = false;
-  for (int unit = 1; unit < 256 && !answered; ++unit) {
-    answered = firmware->answers(static_cast<std::uint8_t>(unit));
-  }
-  require(answered, "no unit answers");
-  firmware->keep_rules();
 }
 
 }  // namespace rung::fuzz

@@ -2,6 +2,8 @@
 // The controller's Modbus line (rtu_line.v) and the panel's client (panel_client.v), Verilated.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "controller/rtu_rules.hpp"
 #include "fuzz/hardware_readers.hpp"
 #include "fuzz/input.hpp"
@@ -51,7 +53,7 @@ class RtuRun {
         break;
       }
       case 4:
-        line_.pause(static_cast<int>(input.below(tb::kSilence - tb::kShortest)));
+        pause(static_cast<int>(input.below(tb::kSilence)));
         break;
       case 5:
         line_.hog = !line_.hog;
@@ -70,25 +72,37 @@ class RtuRun {
       const bool error = i < 8 && (errors >> i & 1) != 0;
       line_.byte(bytes[i], error);
       rules_.byte(bytes[i], error);
+      quiet_ = 0;
       // With the RAM's port busy but for a clock in 64, a byte may take as long.
-      line_.pause((line_.hog ? 128 : tb::kShortest - 1) + static_cast<int>(more));
+      pause((line_.hog ? 128 : tb::kShortest - 1) + static_cast<int>(more));
     }
+  }
+  // Never as long as ends a frame.
+  void pause(int clocks) {
+    clocks = std::min(clocks, tb::kSilence - 1 - quiet_);
+    if (clocks <= 0) return;
+    line_.pause(clocks);
+    quiet_ += clocks;
   }
   void silence() {
     line_.silence();
+    quiet_ = 0;
     rules_.silence();
     require(line_.frame_waits() == rules_.waiting.has_value(), "a frame too many, or one too few");
     require(line_.counts() == rules_.counts, "the line counts other frames");
     require(!rules_.waiting || line_.frame() == *rules_.waiting, "another frame than was sent");
   }
   void take() {
-    if (!rules_.waiting) return;
+    // It takes a clock.
+    if (!rules_.waiting || quiet_ >= tb::kSilence - 1) return;
     line_.take();
+    ++quiet_;
     rules_.waiting.reset();
   }
 
   tb::RtuLine line_{1};
   tb::RtuRules rules_;
+  int quiet_ = 0;  // clocks since the last byte
 };
 
 constexpr double kBit = 8.7;  // clocks
@@ -103,7 +117,7 @@ void read_rtu_line(std::string_view bytes) { RtuRun().run(Input(bytes)); }
 void read_panel(std::string_view bytes) {
   Input input(bytes);
   tb::PanelBench bench(1, kBit, tb::Parity::Even, kTimeoutMs);
-  while (!input.empty() && bench.number() < 12) {
+  while (!input.empty() && bench.number() < 5) {
     tb::PanelServer::Plan plan;
     const unsigned kind = input.below(12);
     if (kind < 9) {
@@ -112,7 +126,7 @@ void read_panel(std::string_view bytes) {
       plan.answer = tb::Answer::Raw;
       plan.raw = input.bytes(input.below(90));
     }
-    plan.delay = input.below(30) * tb::kPanelClocksPerMs;
+    plan.delay = input.below(12) * tb::kPanelClocksPerMs;
     bench.server.plan(plan);
     bench.server.echo = static_cast<tb::Echo>(input.below(3));
     bench.echoes = input.below(2) != 0;

@@ -14,7 +14,11 @@ namespace {
 
 constexpr int kUnits = 3;
 constexpr std::uint64_t kBit = 6;  // clocks, the model's
-constexpr int kMostOps = 60;
+constexpr int kMostOps = 30;
+constexpr std::uint64_t kClocksPerMs = 500;
+constexpr int kTimeoutMs = 100;
+// Neighbours have begun anew by then.
+constexpr std::uint64_t kSettles = 20'000;
 
 // Levels of a line, a clock each, with these bytes on it; idle around them for as long as ends a
 // frame.
@@ -41,7 +45,7 @@ std::deque<bool> levels_of(const std::vector<std::uint8_t>& bytes) {
 void read_link(std::string_view bytes) {
   Input input(bytes);
   tb::World world(1);
-  tb::LinkChain<Vlink> chain(world, {kUnits, static_cast<int>(kBit), 2000, 40});
+  tb::LinkChain<Vlink> chain(world, {kUnits, static_cast<int>(kBit), kClocksPerMs, kTimeoutMs});
   for (int ops = 0; !input.empty() && ops < kMostOps; ++ops) {
     const unsigned what = input.below(8);
     const unsigned place = input.below(2 * (kUnits - 1));
@@ -77,12 +81,12 @@ void read_link(std::string_view bytes) {
       default:
         break;
     }
-    chain.steps(input.below(4000));
+    chain.steps(input.below(1500));
   }
   for (int n = 1; n <= kUnits; ++n) chain.unit(n).hold(false);
-  // Timeouts are over, and neighbours know each other again.
-  chain.finish(200 * 2000);
-  chain.steps(50'000);
+  while (chain.playing()) chain.steps(100);
+  chain.finish(4 * kTimeoutMs * kClocksPerMs);
+  chain.steps(kSettles);
   for (const bool write : {false, true}) {
     chain.alone(1, kUnits, write, 5);
     chain.alone(kUnits, 1, write, 32);

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
@@ -28,6 +29,7 @@ class Line {
   void play(const std::deque<bool>& levels) {
     played_.insert(played_.end(), levels.begin(), levels.end());
   }
+  bool playing() const { return !played_.empty(); }
   bool through(bool level, World& world) {
     if (!played_.empty()) {
       level = played_.front();
@@ -100,6 +102,10 @@ class LinkChain {
   }
   void steps(std::uint64_t n) {
     for (std::uint64_t i = 0; i < n; ++i) step();
+  }
+  bool playing() const {
+    const auto plays = [](const Line& line) { return line.playing(); };
+    return std::any_of(down.begin(), down.end(), plays) || std::any_of(up.begin(), up.end(), plays);
   }
   // Until everything asked is complete; the limit is an error.
   void finish(std::uint64_t limit) {

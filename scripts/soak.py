@@ -11,6 +11,7 @@ from __future__ import annotations
 import argparse
 import datetime
 import json
+import os
 import queue
 import subprocess
 import sys
@@ -46,12 +47,16 @@ MEANING = {
 
 
 def chunk(board: str, seed: int, scans: int) -> Chunk:
-    run = subprocess.run([PROGRAM, board, str(seed), str(scans)], capture_output=True, text=True, check=False)
+    with subprocess.Popen([PROGRAM, board, str(seed), str(scans)], stdout=subprocess.PIPE, text=True) as run:
+        assert run.stdout is not None
+        text = run.stdout.read()
+        _, status, usage = os.wait4(run.pid, 0)
+        run.returncode = os.waitstatus_to_exitcode(status)
     try:
-        found: Chunk = json.loads(run.stdout)
+        found: Chunk = json.loads(text)
     except json.JSONDecodeError:
-        found = {"board": board, "seed": seed, "difference": f"exit status {run.returncode}: {run.stderr[-500:]}"}
-    return found | {"date": datetime.date.today().isoformat()}
+        found = {"board": board, "seed": seed, "difference": f"exit status {run.returncode}"}
+    return found | {"cpu_seconds": round(usage.ru_utime + usage.ru_stime, 1), "date": datetime.date.today().isoformat()}
 
 
 def write(done: dict[str, Any]) -> None:
@@ -62,8 +67,8 @@ def write(done: dict[str, Any]) -> None:
     for key, meaning in MEANING.items():
         values = [row["counts"].get(key, 0) for row in by_board.values()]
         rows.append(f"| {meaning} | " + " | ".join(f"{value:,}" for value in values) + f" | {sum(values):,} |")
-    seeds = "; ".join(f"{board}: seeds 1 to {row['last_seed']}, {row['chunks']} chunks, {row['seconds'] / 60:.0f} minutes, "
-                      f"{row['counts']['scans'] / max(row['seconds'], 1):,.0f} scans a second" for board, row in by_board.items())
+    seeds = "; ".join(f"{board}: seeds 1 to {row['last_seed']}, {row['chunks']} chunks, {row['cpu_seconds'] / 60:.1f} minutes "
+                      f"of a processor, {row['counts']['scans'] / max(row['cpu_seconds'], 1):,.0f} scans a second" for board, row in by_board.items())
     text = "\n".join([
         "# Soak of the controller, in simulation", "",
         f"Made by `make soak`, last on {done['date']} ({done['tool']}). The whole controller, RTL and firmware, with the MPU of its "
@@ -81,10 +86,10 @@ def write(done: dict[str, Any]) -> None:
 
 
 def add(done: dict[str, Any], one: Chunk) -> None:
-    row = done["boards"].setdefault(one["board"], {"chunks": 0, "last_seed": 0, "seconds": 0.0, "counts": {"scans": 0}})
+    row = done["boards"].setdefault(one["board"], {"chunks": 0, "last_seed": 0, "cpu_seconds": 0.0, "counts": {"scans": 0}})
     row["chunks"] += 1
     row["last_seed"] = max(row["last_seed"], one["seed"])
-    row["seconds"] = round(row["seconds"] + one["seconds"], 1)
+    row["cpu_seconds"] = round(row["cpu_seconds"] + one["cpu_seconds"], 1)
     for key, value in one["counts"].items():
         row["counts"][key] = row["counts"].get(key, 0) + value
     done["date"] = one["date"]
@@ -146,7 +151,7 @@ def main() -> None:
         else:
             add(done, one)
         write(done)
-        print(f"{one['board']} seed {one['seed']}: {one.get('counts', {}).get('scans', 0)} scans in {one.get('seconds', 0):.0f} s; "
+        print(f"{one['board']} seed {one['seed']}: {one.get('counts', {}).get('scans', 0)} scans in {one['cpu_seconds']:.0f} s of a processor; "
               f"{done['scans']} of {options.scans}", flush=True)
         if done["scans"] >= options.scans:
             stop.set()

@@ -17,6 +17,7 @@ PROGRAM ?=
 JOBS    ?= 2
 SECONDS ?= 600
 MINUTES ?= 60
+SCANS   ?=
 
 # What `make build` builds, into build/bin
 PROGRAMS := rung rung-samples
@@ -78,11 +79,18 @@ reliability: ## the controller with damaged programs, wrong frames, power cuts: 
 	@$(PYTHON) scripts/reliability.py --jobs $(JOBS)
 
 .PHONY: fuzz
-fuzz: ## fuzz the readers of files, SECONDS= for each: reports/fuzz.md, tb/fuzz/corpus
+fuzz: ## fuzz every reader of outside bytes, SECONDS= of a processor each: reports/fuzz.md, tb/fuzz/corpus
 	@scripts/setup.sh fuzz
 	$(call cmake_build,build/fuzz,-DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_CXX_COMPILER=clang++ \
 	  -DCMAKE_C_COMPILER=clang -DRUNG_SANITIZE=ON -DRUNG_FUZZ=ON,--target fuzzers)
 	@$(PYTHON) scripts/fuzz.py --seconds $(SECONDS) --jobs $(JOBS)
+
+.PHONY: soak
+soak: ## the controller under load with faults, 10 million scans in all: adds to reports/soak.md; SCANS= MINUTES=
+	@scripts/setup.sh build
+	$(call cmake_build,build/release,$(RELEASE),--target rung-soak)
+	@$(PYTHON) scripts/soak.py --jobs $(JOBS) $(if $(SCANS),--scans $(SCANS)) \
+	  $(if $(filter command line,$(origin MINUTES)),--minutes $(MINUTES))
 
 .PHONY: lint
 lint: ## Verilator -Wall, verible, pins of the boards, clang-format, the instruction set page

@@ -19,7 +19,8 @@ set(RUNG_ALONE
     tb/programs/ldmicro_stimulus tb/programs/melsec_operands tb/programs/melsec_stimulus
     tb/programs/random_ldmicro tb/programs/random_melsec tb/programs/shrink_ldmicro
     compiler/cli/device_command tb/device/line_test tb/firmware/native tb/flow_units/probe tb/flow_units/outside
-    tb/flowchart/refused_header_test tb/flowchart/refused_step_test tb/fuzz/bytecode_reader
+    tb/flowchart/refused_header_test tb/flowchart/refused_step_test tb/fuzz/bytecode_reader tb/fuzz/line_readers
+    tb/fuzz/link_reader tb/fuzz/firmware_readers tb/fuzz/controller_reader
     tb/passes/wide_image_test tb/wide_rtl/random_test)
 list(TRANSFORM RUNG_ALONE PREPEND ${RUNG_ROOT}/)
 list(TRANSFORM RUNG_ALONE APPEND .cpp)

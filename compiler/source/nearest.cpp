@@ -11,7 +11,7 @@ namespace {
 
 // Optimal string alignment distance.
 int edit_distance(std::string_view a, std::string_view b) {
-  std::vector<int> before;
+  std::vector<int> before(b.size() + 1);
   std::vector<int> last(b.size() + 1);
   std::vector<int> row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) last[j] = static_cast<int>(j);
@@ -24,8 +24,8 @@ int edit_distance(std::string_view a, std::string_view b) {
         row[j] = std::min(row[j], before[j - 2] + 1);
       }
     }
-    before = last;
-    last = row;
+    before.swap(last);
+    last.swap(row);
   }
   return last[b.size()];
 }

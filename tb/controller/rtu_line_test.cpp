@@ -8,99 +8,10 @@
 #include <random>
 #include <string>
 
-#include "Vrtu_line.h"
-#include "controller/rtu_bus.hpp"
+#include "controller/rtu_rules.hpp"
 
 namespace rung::tb {
 namespace {
-
-constexpr int kSilence = 400;
-constexpr int kShortest = 12;  // clocks between bytes
-
-class Line : public RtuBus<Vrtu_line> {
- public:
-  explicit Line(int seed) : RtuBus(seed), random_(static_cast<unsigned>(seed)) {
-    no_byte();
-    dut->rx_active_i = 0;
-    dut->tx_ready_i = 1;
-    dut->tx_busy_i = 0;
-    dut.reset();
-    set_silence(kSilence);
-  }
-  // The sequencer keeps the RAM's port busy but for one clock in 64.
-  bool hog = false;
-
-  void clock() override {
-    const bool mine = dut->read_i == 0 && dut->write_i == 0;
-    if (hog && mine && clocks_ % 64 != 0) {
-      dut->sel_tx_frame_i = 1;
-      dut->read_i = 1;
-      dut->addr_i = static_cast<std::uint8_t>(random_());
-    }
-    ++clocks_;
-    dut.tick();
-    if (mine) release();
-  }
-  void byte(std::uint8_t value, bool error = false) {
-    dut->rx_valid_i = error ? 0 : 1;
-    dut->rx_error_i = error ? 1 : 0;
-    dut->rx_data_i = value;
-    clock();
-    no_byte();
-  }
-  void pause(int clocks) {
-    for (int i = 0; i < clocks; ++i) clock();
-  }
-  void silence() { pause(kSilence + 3); }
-  void frame_in(const Frame& bytes, int gap) {
-    for (const std::uint8_t value : bytes) {
-      byte(value);
-      pause(gap);
-    }
-  }
-
- private:
-  void no_byte() {
-    dut->rx_valid_i = 0;
-    dut->rx_error_i = 0;
-    dut->rx_data_i = 0xee;
-  }
-  std::mt19937 random_;
-  std::uint64_t clocks_ = 0;
-};
-
-// The rules, in bytes and silences.
-struct Rules {
-  Frame bytes;
-  bool open = false;
-  bool drop = false;
-  bool bad = false;
-  std::optional<Frame> waiting;
-  LineCounts counts;
-
-  void byte(std::uint8_t value, bool error) {
-    if (!open) {
-      open = true;
-      bad = false;
-      bytes.clear();
-      drop = waiting.has_value();
-      counts.lost += drop ? 1 : 0;
-    }
-    bad = bad || error;
-    counts.bad_byte += error ? 1 : 0;
-    bytes.push_back(value);
-  }
-  void silence() {
-    if (open && !drop) {
-      if (bad || bytes.size() < 4 || bytes.size() > 256 || modbus_crc(bytes) != 0) {
-        ++counts.bad_crc;
-      } else {
-        waiting = Frame(bytes.begin(), bytes.end() - 2);
-      }
-    }
-    open = false;
-  }
-};
 
 unsigned seed_of_run() {
   const char* given = std::getenv("RUNG_SEED");
@@ -112,8 +23,8 @@ TEST(RtuLine, RandomFramesDamageAndTakingFollowTheRules) {
   SCOPED_TRACE("RUNG_SEED=" + std::to_string(seed) + " unit_line --gtest_filter=RtuLine.Random*");
   std::mt19937 random(seed);
   const auto one_in = [&](unsigned n) { return random() % n == 0; };
-  Line line(static_cast<int>(seed % 1000));
-  Rules rules;
+  RtuLine line(static_cast<int>(seed % 1000));
+  RtuRules rules;
   int delivered = 0;
   for (int round = 0; round < 1500 && !testing::Test::HasFailure(); ++round) {
     Frame bytes = with_crc(random_bytes(random, one_in(8) ? 240 + random() % 20 : random() % 24));
@@ -149,7 +60,7 @@ TEST(RtuLine, RandomFramesDamageAndTakingFollowTheRules) {
 TEST(RtuLine, TheSilenceIsExact) {
   std::mt19937 random(2);
   for (const int gap : {kSilence - 1, kSilence, kSilence + 2, kSilence + 3}) {
-    Line line(1);
+    RtuLine line(1);
     const Frame bytes = random_bytes(random, 20);
     Frame whole = with_crc(bytes);
     const Frame front(whole.begin(), whole.begin() + 9);
@@ -165,7 +76,7 @@ TEST(RtuLine, TheSilenceIsExact) {
 
 TEST(RtuLine, EveryWrongBitOfAFrameIsFound) {
   std::mt19937 random(5);
-  Line line(2);
+  RtuLine line(2);
   const Frame good = with_crc(random_bytes(random, 62));
   for (std::size_t bit = 0; bit < good.size() * 8; ++bit) {
     Frame bytes = good;
@@ -182,7 +93,7 @@ TEST(RtuLine, EveryWrongBitOfAFrameIsFound) {
 
 TEST(RtuLine, ReceivesAndSendsWithOneFreeClockOfTheRamIn64) {
   std::mt19937 random(6);
-  Line line(3);
+  RtuLine line(3);
   line.hog = true;
   const Frame good = random_bytes(random, 254);
   line.frame_in(with_crc(good), 130);
@@ -202,7 +113,7 @@ TEST(RtuLine, ReceivesAndSendsWithOneFreeClockOfTheRamIn64) {
 }
 
 TEST(RtuLine, LengthsThatAreNoneAreNotSent) {
-  Line line(4);
+  RtuLine line(4);
   for (const int length : {0, 255, 256, 0x1001, 0xffff}) {
     line.write_register(controller::reg_line_send, length);
     line.silence();
@@ -212,7 +123,7 @@ TEST(RtuLine, LengthsThatAreNoneAreNotSent) {
 
 TEST(RtuLine, AByteBeforeTheOneBeforeIsStoredSpoilsTheFrameAndNothingElse) {
   std::mt19937 random(8);
-  Line line(5);
+  RtuLine line(5);
   const Frame good = random_bytes(random, 30);
   for (int gap = 0; gap < 8; ++gap) {
     line.frame_in(with_crc(good), gap);

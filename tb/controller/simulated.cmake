@@ -1,14 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 # rung_controller_models: the controller of two boards, Verilated for speed and without sanitizers, built
-# once for `rung device` and the tests. rung_simulated_controller: the bench around it.
+# once for `rung device` and the tests; each of them alone is rung_controller_NAME_model. rung_simulated_controller: the bench around it.
 set(RUNG_CLOCKS_PER_MS 250)  # of a simulated millisecond
 file(GLOB controller_sources CONFIGURE_DEPENDS
   ${RUNG_ROOT}/hdl/controller/*.v ${RUNG_ROOT}/hdl/controller/micro/*.v
   ${RUNG_ROOT}/hdl/flow/*.v ${RUNG_ROOT}/hdl/core/*.v ${RUNG_ROOT}/hdl/peripherals/*.v ${RUNG_ROOT}/hdl/*.v)
 list(APPEND controller_sources ${RUNG_ROOT}/hdl/boards/ladder_ports.v)
 
-add_library(rung_controller_models STATIC)
-target_compile_options(rung_controller_models PRIVATE -O2 -w)
+add_library(rung_controller_models INTERFACE)
 # Each with its UART, and once more with bytes in the place of it.
 set(controller_byte_sources ${controller_sources})
 list(FILTER controller_byte_sources EXCLUDE REGEX "/host_uart\\.v$")
@@ -24,17 +23,20 @@ foreach(board simulated:0:${RUNG_CLOCKS_PER_MS} hx8k:2:${RUNG_CLOCKS_PER_MS}
   if(name MATCHES "_bytes$")
     set(model_sources ${controller_byte_sources})
   endif()
-  verilate(rung_controller_models
+  set(model rung_controller_${name}_model)
+  add_library(${model} STATIC)
+  target_compile_options(${model} PRIVATE -O2 -w)
+  verilate(${model}
     SOURCES ${CMAKE_CURRENT_SOURCE_DIR}/simulated_controller.v ${model_sources}
     INCLUDE_DIRS ${RUNG_GENERATED} ${RUNG_ROOT}/hdl/core ${RUNG_ROOT}/hdl/controller ${RUNG_ROOT}/hdl/flow
     TOP_MODULE simulated_controller
     PREFIX Vcontroller_${name}
     VERILATOR_ARGS -Wall -O3 --x-initial unique --x-assign fast --noassert
                    -GBOARD=${number} -GCLOCKS_PER_MS=${clocks_per_ms})
+  get_target_property(controller_includes ${model} INCLUDE_DIRECTORIES)
+  set_target_properties(${model} PROPERTIES INTERFACE_SYSTEM_INCLUDE_DIRECTORIES "${controller_includes}")
+  target_link_libraries(rung_controller_models INTERFACE ${model})
 endforeach()
-get_target_property(controller_includes rung_controller_models INCLUDE_DIRECTORIES)
-set_target_properties(rung_controller_models PROPERTIES
-                      INTERFACE_SYSTEM_INCLUDE_DIRECTORIES "${controller_includes}")
 
 add_library(rung_simulated_controller STATIC simulated_controller.cpp)
 target_link_libraries(rung_simulated_controller PUBLIC rung_device rung_controller_models

@@ -24,6 +24,9 @@ struct Native::Firmware : Bus {
 #undef static
 
 Native::Native(Machine& machine) : firmware_(new Firmware{}) { firmware_->machine = &machine; }
+Native::Native(const Native& other, Machine& machine) : firmware_(new Firmware{*other.firmware_}) {
+  firmware_->machine = &machine;
+}
 Native::~Native() = default;
 void Native::reset() { firmware_->firmware_reset(); }
 void Native::poll() { firmware_->firmware_poll(); }

@@ -11,6 +11,8 @@ namespace rung::tb {
 class Native {
  public:
   explicit Native(Machine& machine);
+  // Where `other` is, on a copy of its machine.
+  Native(const Native& other, Machine& machine);
   ~Native();
   Native(const Native&) = delete;
   Native& operator=(const Native&) = delete;

@@ -5,11 +5,10 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstdlib>
-#include <iostream>
 #include <vector>
 
 #include "bytecode/interpreter/rung_vm.h"
+#include "fuzz/require.hpp"
 
 namespace rung::fuzz {
 namespace {
@@ -18,12 +17,6 @@ using File = std::vector<std::uint8_t>;
 
 constexpr int kScans = 3;
 constexpr std::uint32_t kElapsed[kScans] = {0, 10000, UINT32_MAX};
-
-void require(bool condition, std::string_view what) {
-  if (condition) return;
-  std::cerr << what << '\n';
-  std::abort();
-}
 
 // Every name leads to a device that can be read and written.
 void use_names(rung_vm& vm) {

@@ -3,8 +3,6 @@
 
 #include <zlib.h>
 
-#include <cstdlib>
-#include <iostream>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,6 +11,8 @@
 #include "backends/list_writer.hpp"
 #include "flowchart/read.hpp"
 #include "fuzz/bytecode_reader.hpp"
+#include "fuzz/host_readers.hpp"
+#include "fuzz/require.hpp"
 #include "image/image_file.hpp"
 #include "io/bind.hpp"
 #include "ldmicro/ldmicro.hpp"
@@ -29,12 +29,6 @@
 
 namespace rung::fuzz {
 namespace {
-
-void require(bool condition, std::string_view what) {
-  if (condition) return;
-  std::cerr << what << '\n';
-  std::abort();
-}
 
 // What is refused has an error, what is accepted none; and printing the messages must do too.
 void check(bool accepted, const Diagnostics& diagnostics) {
@@ -79,6 +73,45 @@ void read_program(std::string_view bytes, const std::string& file) {
   }
 }
 
+// What a stimulus may name: lists of two number bases, and a program with names of its own.
+std::vector<DeviceNames> all_names() {
+  return {Dialect::Paper, Dialect::Fx, Dialect::Q,
+          DeviceNames(Dialect::Ldmicro, {{{DeviceKind::X, 0}, "Xa"},
+                                         {{DeviceKind::Y, 0}, "Yo"},
+                                         {{DeviceKind::M, 0}, "n"},
+                                         {{DeviceKind::D, 0}, "n:w"},
+                                         {{DeviceKind::D, 1}, "v"},
+                                         {{DeviceKind::D, 2}, "Aa"},
+                                         {port::adc, "Aa"}})};
+}
+
+// A whole image file whose contents are `payload`: else the checksum would keep all others out.
+std::string wrapped(std::string_view payload, std::uint8_t version) {
+  std::string file = "RUNGIMG";
+  file += static_cast<char>(version);
+  const auto add = [&](std::uint32_t value) {
+    for (int i = 0; i < 4; ++i) file += static_cast<char>(value >> (8 * i) & 0xFFU);
+  };
+  add(static_cast<std::uint32_t>(payload.size()));
+  add(static_cast<std::uint32_t>(
+      crc32(0, reinterpret_cast<const Bytef*>(payload.data()), static_cast<uInt>(payload.size()))));
+  file += payload;
+  return file;
+}
+
+void read_image_file(std::string_view bytes) {
+  Diagnostics diagnostics;
+  const auto image = image::from_bytes(bytes, "fuzz.img", diagnostics);
+  check(image.has_value(), diagnostics);
+  if (!image) return;
+  static_cast<void>(image::listing(*image));
+  Diagnostics again;
+  require(image::from_bytes(image::to_bytes(*image), "again.img", again).has_value(),
+          "the written image cannot be read");
+}
+
+}  // namespace
+
 // The suffix frees it from the need of an END.
 void read_list(std::string_view bytes) { read_program(bytes, "fuzz.esc"); }
 
@@ -116,18 +149,6 @@ void read_comments(std::string_view bytes) {
   }
 }
 
-// What a stimulus may name: lists of two number bases, and a program with names of its own.
-std::vector<DeviceNames> all_names() {
-  return {Dialect::Paper, Dialect::Fx, Dialect::Q,
-          DeviceNames(Dialect::Ldmicro, {{{DeviceKind::X, 0}, "Xa"},
-                                         {{DeviceKind::Y, 0}, "Yo"},
-                                         {{DeviceKind::M, 0}, "n"},
-                                         {{DeviceKind::D, 0}, "n:w"},
-                                         {{DeviceKind::D, 1}, "v"},
-                                         {{DeviceKind::D, 2}, "Aa"},
-                                         {port::adc, "Aa"}})};
-}
-
 void read_stimulus(std::string_view bytes) {
   Diagnostics decoding;
   const auto text = decode_text(bytes, "fuzz.stim", decoding);
@@ -143,9 +164,9 @@ void read_stimulus(std::string_view bytes) {
   }
 }
 
-void read_golden(std::string_view bytes) {
+void read_trace(std::string_view bytes) {
   Diagnostics diagnostics;
-  const auto trace = read_trace(bytes, "fuzz.golden", diagnostics);
+  const auto trace = rung::read_trace(bytes, "fuzz.golden", diagnostics);
   check(trace.has_value(), diagnostics);
   if (!trace) return;
   for (const DeviceNames& names : all_names()) {
@@ -154,15 +175,15 @@ void read_golden(std::string_view bytes) {
     check(stimulus.has_value(), more);
   }
   Diagnostics again;
-  const auto back = read_trace(to_json_lines(*trace), "again.golden", again);
+  const auto back = rung::read_trace(to_json_lines(*trace), "again.golden", again);
   require(back.has_value() && back->scans.size() == trace->scans.size(),
           "the written trace is another one");
 }
 
-void read_shown(std::string_view bytes) {
+void read_ldmicro_trace(std::string_view bytes) {
   static_cast<void>(is_ldmicro_trace(bytes));
   Diagnostics diagnostics;
-  const auto trace = read_ldmicro_trace(bytes, "fuzz.trace", diagnostics);
+  const auto trace = rung::read_ldmicro_trace(bytes, "fuzz.trace", diagnostics);
   check(trace.has_value(), diagnostics);
   if (!trace) return;
   for (const TraceScan& scan : trace->scans) {
@@ -170,35 +191,11 @@ void read_shown(std::string_view bytes) {
   }
 }
 
-// A whole image file whose contents are `payload`: else the checksum would keep all others out.
-std::string wrapped(std::string_view payload, std::uint8_t version) {
-  std::string file = "RUNGIMG";
-  file += static_cast<char>(version);
-  const auto add = [&](std::uint32_t value) {
-    for (int i = 0; i < 4; ++i) file += static_cast<char>(value >> (8 * i) & 0xFFU);
-  };
-  add(static_cast<std::uint32_t>(payload.size()));
-  add(static_cast<std::uint32_t>(
-      crc32(0, reinterpret_cast<const Bytef*>(payload.data()), static_cast<uInt>(payload.size()))));
-  file += payload;
-  return file;
-}
-
-void read_image_file(std::string_view bytes) {
-  Diagnostics diagnostics;
-  const auto image = image::from_bytes(bytes, "fuzz.img", diagnostics);
-  check(image.has_value(), diagnostics);
-  if (!image) return;
-  static_cast<void>(image::listing(*image));
-  Diagnostics again;
-  require(image::from_bytes(image::to_bytes(*image), "again.img", again).has_value(),
-          "the written image cannot be read");
-}
-
 void read_image(std::string_view bytes) {
   read_image_file(bytes);
   read_image_file(wrapped(bytes, image::kPlainVersion));
   read_image_file(wrapped(bytes, image::kFlowVersion));
+  read_image_file(wrapped(bytes, image::kWideVersion));
 }
 
 // A map as it is, then bound to a list; of what is refused each line says why.
@@ -276,24 +273,5 @@ void read_flow(std::string_view bytes) {
     }
   }
 }
-
-constexpr Reader kReaders[] = {
-    {"list", read_list},
-    {"csv", read_csv},
-    {"ld", read_ld},
-    {"comments", read_comments},
-    {"stimulus", read_stimulus},
-    {"trace", read_golden},
-    {"image", read_image},
-    {"ldmicro_trace", read_shown},
-    {"bytecode", read_bytecode},
-    {"io_map", read_io_map},
-    {"load_file", read_load_file},
-    {"flow", read_flow},
-};
-
-}  // namespace
-
-std::span<const Reader> readers() { return kReaders; }
 
 }  // namespace rung::fuzz

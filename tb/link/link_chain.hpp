@@ -5,8 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <vector>
 
@@ -23,7 +25,16 @@ class Line {
     fault_ = fault;
     until_ = until;
   }
+  // These levels instead of what is sent, a clock each.
+  void play(const std::deque<bool>& levels) {
+    played_.insert(played_.end(), levels.begin(), levels.end());
+  }
+  bool playing() const { return !played_.empty(); }
   bool through(bool level, World& world) {
+    if (!played_.empty()) {
+      level = played_.front();
+      played_.pop_front();
+    }
     if (fault_ != Fault::none && world.now >= until_) fault_ = Fault::none;
     switch (fault_) {
       case Fault::invert:
@@ -45,6 +56,7 @@ class Line {
   Fault fault_ = Fault::none;
   std::uint64_t until_ = 0;
   bool noise_ = true;
+  std::deque<bool> played_;
 };
 
 template <typename Dut>
@@ -90,6 +102,10 @@ class LinkChain {
   }
   void steps(std::uint64_t n) {
     for (std::uint64_t i = 0; i < n; ++i) step();
+  }
+  bool playing() const {
+    const auto plays = [](const Line& line) { return line.playing(); };
+    return std::any_of(down.begin(), down.end(), plays) || std::any_of(up.begin(), up.end(), plays);
   }
   // Until everything asked is complete; the limit is an error.
   void finish(std::uint64_t limit) {

@@ -86,14 +86,15 @@ void PanelServer::heard(std::uint64_t now) {
   }
   Plan plan;
   if (!plans_.empty()) {
-    plan = plans_.front();
+    plan = std::move(plans_.front());
     plans_.pop_front();
   }
-  const Frame reply = serve(frame, plan.answer);
+  const Frame reply = serve(frame, plan);
   queue(now, reply, plan);
 }
 
-Frame PanelServer::serve(const Frame& frame, Answer answer) {
+Frame PanelServer::serve(const Frame& frame, Plan& plan) {
+  const Answer answer = plan.answer;
   Request request;
   request.function = frame[1];
   request.first = static_cast<unsigned>(frame[2] << 8 | frame[3]);
@@ -119,6 +120,13 @@ Frame PanelServer::serve(const Frame& frame, Answer answer) {
     }
     reply.insert(reply.end(), frame.begin() + 2, frame.begin() + 6);
   }
+  if (answer == Answer::Raw) {
+    request.answer = meaning(request, with_crc(reply), plan.raw);
+    requests_.push_back(request);
+    // No byte at all is no answer.
+    if (plan.raw.empty()) plan.answer = Answer::Silent;
+    return plan.raw;
+  }
   requests_.push_back(request);
 
   if (answer == Answer::Exception) {
@@ -131,6 +139,18 @@ Frame PanelServer::serve(const Frame& frame, Answer answer) {
   reply = with_crc(reply);
   if (answer == Answer::WrongCrc) reply[reply.size() / 2] ^= 4;
   return reply;
+}
+
+Answer PanelServer::meaning(Request& request, const Frame& right, const Frame& raw) {
+  if (raw.size() < 4 || modbus_crc(raw) != 0 || raw[0] != right[0]) return Answer::Silent;
+  if (raw.size() == 5 && raw[1] == (right[1] | kException)) return Answer::Exception;
+  if (raw.size() != right.size() || raw[1] != right[1]) return Answer::Silent;
+  if (request.function == kWrite) return raw == right ? Answer::Right : Answer::Silent;
+  if (raw[2] != right[2]) return Answer::Silent;
+  for (std::size_t i = 0; i < request.words.size(); ++i) {
+    request.words[i] = static_cast<std::uint16_t>(raw[3 + 2 * i] << 8 | raw[4 + 2 * i]);
+  }
+  return Answer::Right;
 }
 
 void PanelServer::queue(std::uint64_t now, const Frame& frame, const Plan& plan) {

@@ -9,6 +9,7 @@
 #include <map>
 #include <optional>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "Vpanel_client.h"
@@ -30,7 +31,8 @@ enum class Answer : std::uint8_t {
   Halves,  // right, with a pause of less than 3.5 characters
   BehindNoise,
   Exception,
-  Silent
+  Silent,
+  Raw  // what the plan says, whatever it is
 };
 enum class Echo : std::uint8_t { Right, Exception, Silent };  // what it makes of FC 8
 
@@ -42,8 +44,10 @@ class PanelServer {
   struct Plan {
     Answer answer = Answer::Right;
     std::uint64_t delay = 0;
+    Frame raw = {};
   };
-  void plan(Plan plan) { plans_.push_back(plan); }
+  void plan(Plan plan) { plans_.push_back(std::move(plan)); }
+  void forget_plans() { plans_.clear(); }
   Echo echo = Echo::Right;
 
   bool level(std::uint64_t now);
@@ -65,7 +69,10 @@ class PanelServer {
 
  private:
   void heard(std::uint64_t now);
-  Frame serve(const Frame& frame, Answer answer);
+  Frame serve(const Frame& frame, Plan& plan);
+  // What a request and an answer of any bytes come to: Right (with the words that it brings),
+  // Exception, or Silent for one that is none.
+  static Answer meaning(Request& request, const Frame& right, const Frame& raw);
   void queue(std::uint64_t now, const Frame& frame, const Plan& plan);
 
   BitLine line_;

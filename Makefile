@@ -170,7 +170,7 @@ programs: build ## real lists and LDmicro programs: which run, what each instruc
 	@$(PYTHON) scripts/programs_report.py
 
 .PHONY: formal
-formal: ## prove what tb/formal/proofs.toml lists, with faults that the proofs refuse: reports/formal.md
+formal: ## prove what tb/formal/*.toml list, with faults that the proofs refuse: reports/formal.md
 	@scripts/setup.sh flow
 	@$(VENV)/python scripts/formal.py --jobs $(JOBS)
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Prove what tb/formal/proofs.toml lists, show that the proofs refuse its faults, write reports/formal.md and formal.json.
+"""Prove what tb/formal/*.toml list, show that the proofs refuse their faults, write reports/formal.md and formal.json.
 
 Exit code 1 if a proof, a cover or a fault is not as it should be; then no report is written.
 """
@@ -36,7 +36,7 @@ def script(proof: Proof, mode: str, depth: int, sources: list[Path]) -> str:
     names = " ".join(source.name for source in sources)
     return "\n".join(["[options]", f"mode {mode}", f"depth {depth}", "[engines]", ENGINE, "[script]",
                       # RUNG_RETIRE: a word that is read while it is written is wrong, as nobody may use it.
-                      f"read -formal -DRUNG_RETIRE -I{tools.GENERATED} {names}",
+                      f"read -formal -DRUNG_RETIRE -I{tools.GENERATED} -I{tools.ROOT / 'hdl' / 'flow'} {names}",
                       f"hierarchy -top {proof['top']}{parameters}", f"prep -top {proof['top']}", "[files]", *map(str, sources), ""])
 
 
@@ -55,19 +55,19 @@ def run(name: str, text: str) -> tuple[str, float]:
 
 
 def sources_of(proof: Proof, changed: dict[str, Path]) -> list[Path]:
-    return [FOLDER / f"{proof['top']}.v", *(changed.get(name, tools.ROOT / name) for name in proof["sources"])]
+    return [next(FOLDER.rglob(f"{proof['top']}.v")), *(changed.get(name, tools.ROOT / name) for name in proof["sources"])]
 
 
 def prove(proof: Proof) -> Proof:
     """Both tasks of a proof."""
     files = sources_of(proof, {})
     verdict, seconds = run(f"{proof['name']}-prf", script(proof, proof["mode"], proof["depth"], files))
-    cover, cover_seconds = run(f"{proof['name']}-cvr", script(proof, "cover", proof["depth"] + 10, files))
+    cover, cover_seconds = run(f"{proof['name']}-cvr", script(proof, "cover", proof.get("cover_depth", proof["depth"] + 10), files))
     tools.say(f"{proof['name']}: {verdict} in {seconds} s, cover {cover} in {cover_seconds} s")
     return {**proof, "verdict": verdict, "seconds": seconds, "cover": cover, "cover_seconds": cover_seconds}
 
 
-def inject(fault: dict[str, str], proof: Proof) -> dict[str, Any]:
+def inject(fault: dict[str, Any], proof: Proof) -> dict[str, Any]:
     """A proof with one source changed, which must not hold: searched in runs from the start only."""
     source = tools.ROOT / fault["file"]
     text = source.read_text(encoding="utf-8")
@@ -79,7 +79,8 @@ def inject(fault: dict[str, str], proof: Proof) -> dict[str, Any]:
     folder.mkdir(parents=True)
     changed = folder / source.name
     changed.write_text(text.replace(fault["from"], fault["to"]), encoding="utf-8")
-    verdict, seconds = run(f"fault-{number}", script(proof, "bmc", proof["depth"], sources_of(proof, {fault["file"]: changed})))
+    depth = fault.get("depth", proof["depth"])
+    verdict, seconds = run(f"fault-{number}", script(proof, "bmc", depth, sources_of(proof, {fault["file"]: changed})))
     tools.say(f"fault '{fault['name']}': {'caught' if verdict == 'FAIL' else verdict} in {seconds} s")
     return {"name": fault["name"], "proof": proof["name"], "file": fault["file"], "caught": verdict == "FAIL", "seconds": seconds}
 
@@ -105,13 +106,13 @@ def main() -> int:
     parser.add_argument("--only", nargs="+", metavar="PROOF", help="and write no report")
     arguments = parser.parse_args()
     tools.generate_isa_header()
-    table = tomllib.loads((FOLDER / "proofs.toml").read_text(encoding="utf-8"))
-    chosen = [proof for proof in table["proof"] if not arguments.only or proof["name"] in arguments.only]
+    tables = [tomllib.loads(file.read_text(encoding="utf-8")) for file in sorted(FOLDER.glob("*.toml"))]
+    chosen = [proof for table in tables for proof in table["proof"] if not arguments.only or proof["name"] in arguments.only]
     by_name = {proof["name"]: proof for proof in chosen}
     with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
         proofs = list(pool.map(prove, chosen))
         faults = list(pool.map(lambda fault: inject(fault, by_name[fault["proof"]]),
-                               [fault for fault in table["fault"] if fault["proof"] in by_name]))
+                               [fault for table in tables for fault in table["fault"] if fault["proof"] in by_name]))
     wrong = [proof["name"] for proof in proofs if (proof["verdict"], proof["cover"]) != ("PASS", "PASS")]
     wrong += [fault["name"] for fault in faults if not fault["caught"]]
     if wrong:

@@ -37,7 +37,8 @@ def script(proof: Proof, mode: str, depth: int, sources: list[Path]) -> str:
     return "\n".join(["[options]", f"mode {mode}", f"depth {depth}", "[engines]", ENGINE, "[script]",
                       # RUNG_RETIRE: a word that is read while it is written is wrong, as nobody may use it.
                       f"read -formal -DRUNG_RETIRE -I{tools.GENERATED} -I{tools.ROOT / 'hdl' / 'flow'} {names}",
-                      f"hierarchy -top {proof['top']}{parameters}", f"prep -top {proof['top']}", "[files]", *map(str, sources), ""])
+                      f"hierarchy -top {proof['top']}{parameters}", f"prep {'-flatten ' if proof.get('inside') else ''}-top {proof['top']}", "check -assert",
+                      "[files]", *map(str, sources), ""])
 
 
 def run(name: str, text: str) -> tuple[str, float]:

@@ -79,10 +79,10 @@ module crc32_proof (
   reg known_q;
   reg [31:0] now_q;
   always @(posedge clk_i) begin
-    low_q  <= sel_register_i && read_i && addr_i == `RUNG_REG_CRC_LOW;
-    high_q <= sel_register_i && read_i && addr_i == `RUNG_REG_CRC_HIGH;
+    low_q   <= sel_register_i && read_i && addr_i == `RUNG_REG_CRC_LOW;
+    high_q  <= sel_register_i && read_i && addr_i == `RUNG_REG_CRC_HIGH;
     known_q <= begun_q && settled;
-    now_q  <= ~mirror(now);
+    now_q   <= ~mirror(now);
   end
 
   always @* begin
@@ -95,7 +95,7 @@ module crc32_proof (
 
   // ---- for the induction: the register on the way from one byte to the next ------------------------
   (* hierconn *) wire [31:0] \crc.crc_q ;
-  (* hierconn *) wire [1:0] \crc.left_q ;
+  (* hierconn *) wire [ 1:0] \crc.left_q ;
   always @* begin
     if (begun_q) begin
       case (since_q)

@@ -33,13 +33,16 @@ Proof = dict[str, Any]
 def script(proof: Proof, mode: str, depth: int, sources: list[Path], one_run: bool = False) -> str:
     """An .sby file for one task of a proof. What only looks for one run (covers, faults) may narrow its inputs: RUNG_NARROW."""
     parameters = "".join(f" -chparam {name} {value}" for name, value in proof["parameters"].items())
-    names = " ".join(source.name for source in sources)
+    registers = proof.get("registers", [])
+    names = " ".join(source.name for source in sources if source.name not in registers)
     # RUNG_RETIRE: a word that is read while it is written is wrong, as nobody may use it.
     options = f"-DRUNG_RETIRE {'-DRUNG_NARROW ' if one_run else ''}-I{tools.GENERATED} -I{tools.ROOT / 'hdl' / 'flow'}"
     flatten = "-flatten " if proof.get("inside") else ""
+    top = proof["top"]
     return "\n".join(["[options]", f"mode {mode}", f"depth {depth}", "[engines]", ENGINE, "[script]",
-                      f"read -formal {options} {names}", f"hierarchy -top {proof['top']}{parameters}",
-                      f"prep {flatten}-top {proof['top']}", "check -assert",
+                      f"read -formal {options} {names}",
+                      *(f"read_verilog -sv -formal -mem2reg {options} {name}" for name in registers),
+                      f"hierarchy -top {top}{parameters}", f"prep {flatten}-top {top}", "check -assert",
                       "[files]", *map(str, sources), ""])
 
 

@@ -71,17 +71,22 @@ module link_uart_rx_proof (
     disturbed_q <= !begins && !bit_ends && (disturbed_q || disturbs);
   end
 
-  // ---- the receiver's clock: it sees the edge three clocks later, and is done in the middle of the stop bit -------
-  reg [8:0] since_q;  // the last frame's beginning; 511: long ago
+  // ---- the receiver's clock: it sees the edge three clocks later, and is done in the middle of the stop bit ----
+  localparam [7:0] DONE = 8'd154;
+  localparam [7:0] IDLE = 8'd255;
+  reg [2:0] begins_q;
+  reg [7:0] seen_q;  // clocks since it saw the last frame's beginning
   reg [7:0] sent_q;
   reg good_q;
   always @(posedge clk_i) begin
-    if (!begun_q) since_q <= 9'd511;
-    else if (begins) since_q <= 9'd0;
-    else if (since_q != 9'd511) since_q <= since_q + 9'd1;
-    if (since_q == 9'd155) {sent_q, good_q} <= {byte_q, stop_q};
+    if (!begun_q) begins_q <= 3'd0;
+    else begins_q <= {begins_q[1:0], begins};
+    if (!begun_q) seen_q <= IDLE;
+    else if (begins_q[2]) seen_q <= 8'd0;
+    else if (seen_q != IDLE) seen_q <= seen_q + 8'd1;
+    if (seen_q == DONE - 8'd4) {sent_q, good_q} <= {byte_q, stop_q};
   end
-  wire ends = since_q == 9'd157;
+  wire ends = seen_q == DONE;
   always @* begin
     if (begun_q) begin
       assert (valid == (ends && good_q));
@@ -95,28 +100,27 @@ module link_uart_rx_proof (
   (* hierconn *) wire [3:0] \uart.phase_q ;
   (* hierconn *) wire [3:0] \uart.bit_q ;
   (* hierconn *) wire [7:0] \uart.shift_q ;
-  wire [8:0] seen = since_q - 9'd3;
-  wire [3:0] decided = seen[7:4] + {3'd0, seen[3:0] > 4'd9};
+  wire [7:0] sent = seen_q > DONE - 8'd4 ? sent_q : byte_q;
+  wire [3:0] decided = seen_q[7:4] + {3'd0, seen_q[3:0] > 4'd9};
   wire [3:0] bits = decided == 4'd0 ? 4'd0 : decided - 4'd1;
   always @* begin
     if (begun_q) begin
-      assert (\uart.active_q == (since_q >= 9'd3 && since_q < 9'd157));
+      assert (\uart.active_q == (seen_q < DONE));
       if (sends_q) begin
-        assert (since_q == {1'b0, clock_q});
         assert (bit_q <= 4'd9);
         assert (clock_q <= due + {4'd0, off});
         if (bit_q != 4'd0) assert (clock_q + 8'd16 + {4'd0, off} > due);
+        if (clock_q < 8'd3) assert (begins_q == 3'd1 << clock_q && seen_q >= DONE - 8'd1 + clock_q);
+        else assert (begins_q == 3'd0 && seen_q == clock_q - 8'd3);
+        if (clock_q >= DONE) assert ({sent_q, good_q} == {byte_q, stop_q});
       end else begin
-        assert (since_q >= 9'd157);
-        if (since_q != 9'd511) assert ({6'd0, idle_q} <= since_q - 9'd157);
+        assert (begins_q == 3'd0);
+        assert (seen_q >= DONE - 8'd1 + {5'd0, idle_q});
       end
-      if (since_q < 9'd156) assert (sends_q);
-      if (sends_q && bit_q == 4'd9 && clock_q > 8'd155) assert (sent_q == byte_q && good_q == stop_q);
       if (\uart.active_q ) begin
-        assert (\uart.phase_q == seen[3:0]);
+        assert (\uart.phase_q == seen_q[3:0]);
         assert (\uart.bit_q == decided);
-        assert (((\uart.shift_q >> (4'd8 - bits)) ^ byte_q) << (4'd8 - bits) == 8'd0 ||
-                bits == 4'd0);
+        if (bits != 4'd0) assert (((\uart.shift_q >> (4'd8 - bits)) ^ sent) << (4'd8 - bits) == 8'd0);
       end
     end
   end

@@ -11,6 +11,7 @@ import concurrent.futures
 import datetime
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -80,7 +81,7 @@ def inject(fault: dict[str, Any], proof: Proof) -> dict[str, Any]:
     text = source.read_text(encoding="utf-8")
     if text.count(fault["from"]) != 1:
         raise tools.FlowError(f"fault '{fault['name']}': its text stands {text.count(fault['from'])} times in {fault['file']}")
-    number = fault["name"].replace(" ", "-")
+    number = re.sub("[^a-z0-9]+", "-", fault["name"].lower())
     folder = WORK / "faults" / number
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)

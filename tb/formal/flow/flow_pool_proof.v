@@ -117,7 +117,8 @@ module flow_pool_proof (
       assert (task_valid == !(&owned_q[15:0]));
       assert (event_valid == !(&owned_q[23:16]));
       if (task_valid) assert (task_block < 5'd16 && !owned_q[task_block]);
-      if (event_valid) assert (event_block >= 5'd16 && event_block < 5'd24 && !owned_q[event_block]);
+      if (event_valid)
+        assert (event_block >= 5'd16 && event_block < 5'd24 && !owned_q[event_block]);
     end
   end
 
@@ -185,15 +186,15 @@ module flow_pool_proof (
   end
 
   // ---- for the induction: the stand-ins of the memories watch this word ---------------------------------
-  (* hierconn *) wire [9:0] \pool.blocks.watched ;
-  (* hierconn *) wire [4:0] \pool.pc_block.watched ;
-  (* hierconn *) wire [4:0] \pool.bus_block.watched ;
+  (* hierconn *) wire [ 9:0] \pool.blocks.watched ;
+  (* hierconn *) wire [ 4:0] \pool.pc_block.watched ;
+  (* hierconn *) wire [ 4:0] \pool.bus_block.watched ;
   (* hierconn *) wire [15:0] \pool.blocks.word_q ;
   (* hierconn *) wire [15:0] \pool.pc_block.word_q ;
   (* hierconn *) wire [15:0] \pool.bus_block.word_q ;
   (* hierconn *) wire [15:0] \pool.task_free_q ;
-  (* hierconn *) wire [7:0] \pool.event_free_q ;
-  (* hierconn *) wire [2:0] \pool.fresh_q ;
+  (* hierconn *) wire [ 7:0] \pool.event_free_q ;
+  (* hierconn *) wire [ 2:0] \pool.fresh_q ;
   (* hierconn *) wire [15:0] \pool.engine_q ;
   (* hierconn *) wire [15:0] \pool.link_q ;
   (* hierconn *) wire [15:0] \pool.panel_q ;

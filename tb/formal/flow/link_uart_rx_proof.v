@@ -8,10 +8,10 @@
 module link_uart_rx_proof (
     input wire       clk_i,
     input wire       rst_ni,
-    input wire       send_i,     // a frame begins, if it can
+    input wire       send_i,    // a frame begins, if it can
     input wire [7:0] byte_i,
-    input wire       stop_i,     // its stop bit
-    input wire       edge_i,     // the next bit begins, if it can
+    input wire       stop_i,    // its stop bit
+    input wire       edge_i,    // the next bit begins, if it can
     input wire       disturb_i
 );
 
@@ -110,8 +110,9 @@ module link_uart_rx_proof (
         assert (bit_q <= 4'd9);
         assert (clock_q <= due + {4'd0, off});
         if (bit_q != 4'd0) assert (clock_q + 8'd16 + {4'd0, off} > due);
-        if (clock_q < 8'd3) assert (begins_q == 3'd1 << clock_q && seen_q >= DONE - 8'd1 + clock_q);
-        else assert (begins_q == 3'd0 && seen_q == clock_q - 8'd3);
+        if (clock_q < 8'd3)
+          assert (begins_q == 3'd1 << clock_q && seen_q >= DONE - 8'd1 + clock_q);
+          else assert (begins_q == 3'd0 && seen_q == clock_q - 8'd3);
         if (clock_q >= DONE) assert ({sent_q, good_q} == {byte_q, stop_q});
       end else begin
         assert (begins_q == 3'd0);
@@ -120,12 +121,14 @@ module link_uart_rx_proof (
       if (\uart.active_q ) begin
         assert (\uart.phase_q == seen_q[3:0]);
         assert (\uart.bit_q == decided);
-        if (bits != 4'd0) assert (((\uart.shift_q >> (4'd8 - bits)) ^ sent) << (4'd8 - bits) == 8'd0);
+        if (bits != 4'd0)
+          assert (((\uart.shift_q >> (4'd8 - bits)) ^ sent) << (4'd8 - bits) == 8'd0);
       end
     end
   end
 
-  always @* cover (begun_q && \uart.active_q && \uart.bit_q == 4'd3 && bit_q == 4'd2 && disturbed_q);
+  always @*
+    cover (begun_q && \uart.active_q && \uart.bit_q == 4'd3 && bit_q == 4'd2 && disturbed_q);
 
 endmodule
 

@@ -131,9 +131,9 @@ module receive_ring_proof (
   // ---- for the induction: each place that is used is named by one head that waits, no other by any ----------
   (* hierconn *) wire [15:0] \ring.first_q ;
   (* hierconn *) wire [15:0] \ring.next_q ;
-  (* hierconn *) wire [7:0] \ring.used_q ;
-  (* hierconn *) wire [3:0] \ring.free_q ;
-  (* hierconn *) wire [7:0] \ring.places.word_q ;
+  (* hierconn *) wire [ 7:0] \ring.used_q ;
+  (* hierconn *) wire [ 3:0] \ring.free_q ;
+  (* hierconn *) wire [ 7:0] \ring.places.word_q ;
   wire [95:0] heads;
   genvar g;
   generate
@@ -178,21 +178,45 @@ module receive_ring_proof (
   (* hierconn *) wire [2:0] \ring.heads_q[30] ;
   (* hierconn *) wire [2:0] \ring.heads_q[31] ;
   assign heads = {
-    \ring.heads_q[31] , \ring.heads_q[30] , \ring.heads_q[29] , \ring.heads_q[28] ,
-    \ring.heads_q[27] , \ring.heads_q[26] , \ring.heads_q[25] , \ring.heads_q[24] ,
-    \ring.heads_q[23] , \ring.heads_q[22] , \ring.heads_q[21] , \ring.heads_q[20] ,
-    \ring.heads_q[19] , \ring.heads_q[18] , \ring.heads_q[17] , \ring.heads_q[16] ,
-    \ring.heads_q[15] , \ring.heads_q[14] , \ring.heads_q[13] , \ring.heads_q[12] ,
-    \ring.heads_q[11] , \ring.heads_q[10] , \ring.heads_q[9] , \ring.heads_q[8] ,
-    \ring.heads_q[7] , \ring.heads_q[6] , \ring.heads_q[5] , \ring.heads_q[4] ,
-    \ring.heads_q[3] , \ring.heads_q[2] , \ring.heads_q[1] , \ring.heads_q[0] 
+    \ring.heads_q[31] ,
+    \ring.heads_q[30] ,
+    \ring.heads_q[29] ,
+    \ring.heads_q[28] ,
+    \ring.heads_q[27] ,
+    \ring.heads_q[26] ,
+    \ring.heads_q[25] ,
+    \ring.heads_q[24] ,
+    \ring.heads_q[23] ,
+    \ring.heads_q[22] ,
+    \ring.heads_q[21] ,
+    \ring.heads_q[20] ,
+    \ring.heads_q[19] ,
+    \ring.heads_q[18] ,
+    \ring.heads_q[17] ,
+    \ring.heads_q[16] ,
+    \ring.heads_q[15] ,
+    \ring.heads_q[14] ,
+    \ring.heads_q[13] ,
+    \ring.heads_q[12] ,
+    \ring.heads_q[11] ,
+    \ring.heads_q[10] ,
+    \ring.heads_q[9] ,
+    \ring.heads_q[8] ,
+    \ring.heads_q[7] ,
+    \ring.heads_q[6] ,
+    \ring.heads_q[5] ,
+    \ring.heads_q[4] ,
+    \ring.heads_q[3] ,
+    \ring.heads_q[2] ,
+    \ring.heads_q[1] ,
+    \ring.heads_q[0]
   };
   // Where each place's head is: class, number in its ring. All in loops over constants, which are easier to solve
   // than indices that vary.
   reg [39:0] at_q;
   reg [95:0] offset;  // of a head from the oldest of its class
   reg [31:0] waits;
-  reg [3:0] used;
+  reg [ 3:0] used;
   integer p, k;
   always @(posedge clk_i) begin
     for (p = 0; p < 8; p = p + 1) begin
@@ -204,7 +228,7 @@ module receive_ring_proof (
   always @* begin
     for (k = 0; k < 32; k = k + 1) begin
       offset[3*k+:3] = k[2:0] - \ring.first_q [4*(k/8)+:3];
-      waits[k]  = {1'b0, offset[3*k+:3]} < count_q[4*(k/8)+:4];
+      waits[k] = {1'b0, offset[3*k+:3]} < count_q[4*(k/8)+:4];
     end
     used = 4'd0;
     for (p = 0; p < 8; p = p + 1) used = used + {3'd0, \ring.used_q [p]};

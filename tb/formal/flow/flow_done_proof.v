@@ -167,7 +167,7 @@ module flow_done_proof (
   (* hierconn *) wire [7:0] \done.statuses[23] ;
   assign statuses[184+:8] = \done.statuses[23] ;
   (* hierconn *) wire [7:0] \done.statuses[24] ;
-  assign statuses[192+:8] = \done.statuses[24] ;
+  assign statuses[192+:8]  = \done.statuses[24] ;
   assign statuses[255:200] = 56'd0;
   (* hierconn *) wire [6:0] \done.owners[0] ;
   assign owners[0+:7] = \done.owners[0] ;

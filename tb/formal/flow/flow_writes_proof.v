@@ -18,7 +18,7 @@ module flow_writes_proof (
   (* anyconst *) wire [15:0] task_word;
   wire next, next_end, commands, known, last;
   wire [10:0] step;
-  wire [7:0] command;
+  wire [ 7:0] command;
   flow_writes writes (
       .clk_i        (clk_i),
       .rst_ni       (rst_ni),
@@ -92,10 +92,10 @@ module flow_writes_proof (
   end
 
   // ---- for the induction -----------------------------------------------------------------------------------
-  (* hierconn *) wire [4:0] \writes.written_q ;
-  (* hierconn *) wire [4:0] \writes.taken_q ;
+  (* hierconn *) wire [  4:0] \writes.written_q ;
+  (* hierconn *) wire [  4:0] \writes.taken_q ;
   wire [143:0] entries;
-  (* hierconn *) wire [8:0] \writes.waiting[0] ;
+  (* hierconn *) wire [  8:0] \writes.waiting[0] ;
   assign entries[0+:9] = \writes.waiting[0] ;
   (* hierconn *) wire [8:0] \writes.waiting[1] ;
   assign entries[9+:9] = \writes.waiting[1] ;

@@ -125,6 +125,7 @@ module flow_pool_proof (
   // ---- the memory: any word of it, and what each client read last ------------------------------------
   (* anyconst *) wire [9:0] word;
   wire of_pc = word[9:5] == `RUNG_FLOW_PC_BLOCK;
+  wire of_bus = sel_register_i && addr_i[7:5] == `RUNG_REG_FLOW_PC_DATA / 32;
   wire bus_here = sel_register_i && addr_i[7:5] == `RUNG_REG_FLOW_PC_DATA / 32 &&
       addr_i[4:0] == word[4:0] && of_pc;
   wire bus_writes = bus_here && write_i && pc_waiting_i;
@@ -138,7 +139,7 @@ module flow_pool_proof (
       (panel_here && panel_write_i);
   // While the PC waits, no transfer of its block is under way; the bus does not read what a transfer writes.
   always @* begin
-    assume (!(sel_register_i && write_i && pc_waiting_i && addr_i[7:5] == `RUNG_REG_FLOW_PC_DATA / 32) ||
+    assume (!(of_bus && write_i && pc_waiting_i) ||
             !((engine && engine_addr_i[9:5] == `RUNG_FLOW_PC_BLOCK) ||
               (link && link_addr_i[9:5] == `RUNG_FLOW_PC_BLOCK) ||
               (panel && panel_addr_i[9:5] == `RUNG_FLOW_PC_BLOCK)));

@@ -8,11 +8,11 @@
 `default_nettype none
 `include "rung_flow.vh"
 `ifdef RUNG_NARROW
-// Covers and faults: a timeout of 30 bit times, gaps of 3. Nothing that is shown depends on them.
+// Covers and faults: a timeout of 13 bit times, gaps of 3. Nothing that is shown depends on them.
 `undef RUNG_FLOW_BLOCK_WORDS
 `define RUNG_FLOW_BLOCK_WORDS -5
 `undef RUNG_LINK_ACK_TIMEOUT
-`define RUNG_LINK_ACK_TIMEOUT 20
+`define RUNG_LINK_ACK_TIMEOUT 3
 `undef RUNG_LINK_GAP
 `define RUNG_LINK_GAP 1
 `endif
@@ -161,8 +161,9 @@ module link_sequence_proof (
 
   // The neighbour has all bytes of the sender's frame so far, and has not yet checked it.
   reg whole_q;
+  wire from_middle = framing && sends && !head_now && \receive.index_q == 7'd0;
   wire spoilt = (sends && (lose_i || damage_i)) || (!sends && noise_i && !checking) ||
-      \receive.broken || (\receive.state_q == 2'd2) || (framing && sends && !head_now && \receive.index_q == 7'd0);
+      \receive.broken || \receive.state_q == 2'd2 || from_middle;
   always @(posedge clk_i) begin
     if (!other_rst_n) whole_q <= 1'b0;
     else if (head_now)

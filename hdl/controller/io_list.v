@@ -5,8 +5,10 @@
 // the first entry is read, its answer comes in the eighth clock after that, and three clocks later value_*
 // says what the pin (or the PWM output) is to show. So a latch of n entries takes n + 4 clocks, and a refresh
 // n + 15 until all values have been shown.
-// A force replaces the value where it enters a device, or where it leaves for a pin. forced_o: an entry of the
-// list has a force; it is found, or its end, by reading the list when nothing else does, within some scans.
+// A force replaces the value where it enters a device, or where it leaves for a pin. It comes in any clock, also in
+// that in which its entry is read, for which it then counts: what a block RAM gives there is nothing to rely on.
+// forced_o: an entry of the list has a force; it is found, or its end, by reading the list when nothing else does,
+// within some scans.
 //
 // Two block RAMs of 256 words of 16 bits, so that the refresh can read addresses and, 11 clocks behind, pins:
 //   places  15 word device   14:0 device address
@@ -16,7 +18,8 @@
 `include "rung_controller.vh"
 
 module io_list #(
-    parameter integer INPUTS = 32  // 1 to 64
+    parameter integer INPUTS  = 32,  // 1 to 64
+    parameter integer ENTRIES = 256  // fewer in a proof
 ) (
     input  wire              clk_i,
     input  wire              rst_ni,
@@ -64,6 +67,7 @@ module io_list #(
   localparam [3:0] KIND_STATUS = `RUNG_LATCH_STATUS;
   localparam [3:0] KIND_TICKS = `RUNG_LATCH_TICKS;
   localparam [3:0] KIND_ADC = `RUNG_LATCH_ADC;
+  localparam [7:0] LAST_ENTRY = ENTRIES[7:0] - 8'd1;
 
   // ---- which entry -----------------------------------------------------------------------------
   reg [7:0] entry_q;
@@ -90,14 +94,14 @@ module io_list #(
   end
 
   // ---- the list --------------------------------------------------------------------------------
-  (* no_rw_check, ram_style = "block" *) reg [15:0] places[0:255];
-  (* no_rw_check, ram_style = "block" *) reg [13:0] kinds[0:255];
+  (* no_rw_check, ram_style = "block" *) reg [15:0] places[0:ENTRIES-1];
+  (* no_rw_check, ram_style = "block" *) reg [13:0] kinds[0:ENTRIES-1];
   reg [15:0] place_q;
   reg [13:0] kind_q;
 
   integer i;
   initial begin
-    for (i = 0; i < 256; i = i + 1) begin
+    for (i = 0; i < ENTRIES; i = i + 1) begin
       places[i] = 16'd0;
       kinds[i]  = 14'd0;
     end
@@ -113,9 +117,15 @@ module io_list #(
     force_q <= bus_wdata_i[9:8];
   end
 
+  // The force that is written while its entry is read.
+  reg met_q;
+  reg [1:0] met_force_q;
+  wire [13:0] kind_now = {met_q ? met_force_q : kind_q[13:12], kind_q[11:0]};
+
   // A load and a force never come in the same clock: both are writes on the bus, at the same distance.
   wire [7:0] kinds_write = force_write_q ? force_entry_q : write_addr_i[8:1];
   wire [7:0] kinds_read = latch_issue ? entry_q : refreshing_i ? answer_q : sweep_q;
+  wire meets = force_write_q && force_entry_q == kinds_read;
 
   always @(posedge clk_i) begin
     if (write_i && !write_addr_i[0]) places[write_addr_i[8:1]][14:0] <= write_data_i[14:0];
@@ -126,7 +136,13 @@ module io_list #(
   always @(posedge clk_i) begin
     if (write_i && write_addr_i[0]) kinds[kinds_write][11:0] <= write_data_i[11:0];
     if (force_write_q) kinds[kinds_write][13:12] <= force_q;
+    met_q <= meets;
+    met_force_q <= force_q;
+`ifdef RUNG_RETIRE
+    kind_q <= kinds[kinds_read] ^ {{2{meets}}, 12'd0};  // as in bank_ram.v
+`else
     kind_q <= kinds[kinds_read];
+`endif
   end
 
   // ---- a sweep over all entries: is one forced? -------------------------------------------------
@@ -144,12 +160,12 @@ module io_list #(
       seen_q <= 1'b0;
       forced_q <= 1'b0;
     end else begin
-      if (sweep) sweep_q <= sweep_q + 8'd1;
+      if (sweep) sweep_q <= sweep_q == LAST_ENTRY ? 8'd0 : sweep_q + 8'd1;
       sweep_read_q <= sweep;
-      sweep_end_q  <= sweep && sweep_q == 8'hff;
+      sweep_end_q  <= sweep && sweep_q == LAST_ENTRY;
       if (sweep_read_q) begin
-        seen_q <= !sweep_end_q && (seen_q || kind_q[13]);
-        if (sweep_end_q) forced_q <= seen_q || kind_q[13];
+        seen_q <= !sweep_end_q && (seen_q || kind_now[13]);
+        if (sweep_end_q) forced_q <= seen_q || kind_now[13];
       end
     end
   end
@@ -205,7 +221,7 @@ module io_list #(
       host_valid_q <= entry_valid_q;
     end
     entry_place_q <= place_q;
-    entry_kind_q  <= kind_q;
+    entry_kind_q  <= kind_now;
     {host_words_q, host_addr_q} <= entry_place_q;
     host_data_q   <= value;
   end
@@ -234,9 +250,9 @@ module io_list #(
       value_valid_q <= answered_q;
     end
     answer_data_q <= host_rdata_i;
-    value_q <= kind_q[13] ? {15'd0, kind_q[12]} : answer_data_q;
-    value_kind_q <= kind_q[11:8];
-    value_index_q <= kind_q[7:0];
+    value_q <= kind_now[13] ? {15'd0, kind_now[12]} : answer_data_q;
+    value_kind_q <= kind_now[11:8];
+    value_index_q <= kind_now[7:0];
   end
 
   assign value_valid_o = value_valid_q;

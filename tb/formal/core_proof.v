@@ -12,6 +12,7 @@ module core_proof #(
     parameter LOOKUP = 1,
     parameter SLOTS = 1,
     parameter FREE_ALU = 0,  // 1: with free/alu.v
+    parameter USED_BITS = 16,  // of what is written to words; those above are 0
     parameter BIT_ADDR = 2,
     parameter WORD_ADDR = 2,
     // not to be set
@@ -393,6 +394,25 @@ module core_proof #(
           if (known && word_we_before[g] && word_we_before[2+g])
             assert (word_dest_before[g*WORD_ADDR+:WORD_ADDR] !=
                     word_dest_before[(2+g)*WORD_ADDR+:WORD_ADDR]);
+        end
+      end
+    end
+  endgenerate
+
+  // Fewer bits of words, all of which are alike to everything but the ALU, make it easier for the solver.
+  generate
+    if (USED_BITS < BITS) begin : g_narrow
+      localparam ABOVE = BITS - USED_BITS;
+      always @* if (host_word_we) assume (host_data[BITS-1-:ABOVE] == {ABOVE{1'b0}});
+      for (s = 0; s < SLOTS; s = s + 1) begin : g_written
+        always @* begin
+          if (word_we[s]) assume (word_value[(s+1)*BITS-1-:ABOVE] == {ABOVE{1'b0}});
+        end
+        for (g = 0; g < WORD_DEVICES; g = g + 1) begin : g_device
+          always @* begin
+            assert (word_banks[s*WORD_BANK+(g+1)*BITS-1-:ABOVE] == {ABOVE{1'b0}});
+            if (known) assert (words_q[(g+1)*BITS-1-:ABOVE] == {ABOVE{1'b0}});
+          end
         end
       end
     end

@@ -134,7 +134,8 @@ def inject(fault: dict[str, str], proof: Proof) -> dict[str, Any]:
     changed = folder / source.name
     changed.write_text(text.replace(fault["from"], fault["to"]), encoding="utf-8")
     files = sources_of(proof, {fault["file"]: changed})
-    verdict, seconds = run(f"fault-{number}", script(proof, "bmc", proof.get("cover_depth", proof["depth"]), files), files, "FAIL")
+    depth = proof.get("fault_depth", proof.get("cover_depth", proof["depth"]))
+    verdict, seconds = run(f"fault-{number}", script(proof, "bmc", depth, files), files, "FAIL")
     tools.say(f"fault '{fault['name']}': {'caught' if verdict == 'FAIL' else verdict} in {seconds} s")
     return {"name": fault["name"], "proof": proof["name"], "file": fault["file"], "caught": verdict == "FAIL", "seconds": seconds}
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 import argparse
 import concurrent.futures
 import datetime
+import functools
 import hashlib
 import json
 import os
@@ -74,10 +75,16 @@ def script(proof: Proof, mode: str, depth: int, sources: list[Path], one_run: bo
                       "[files]", *map(str, sources), ""])
 
 
+@functools.cache
+def versions() -> str:
+    """Yosys and yices."""
+    return f"{yosys_version()} {tools.version(str(tools.VENV_BIN / 'yices'))}"
+
+
 def fingerprint(text: str, sources: list[Path]) -> str:
     """Of all that a verdict depends on: the task, the Verilog without its comments, Yosys and yices."""
     headers = [header for folder in INCLUDE for header in sorted(folder.glob("*.vh"))]
-    digest = hashlib.sha256(f"{yosys_version()} {tools.version(str(tools.VENV_BIN / 'yices'))}\n".encode())
+    digest = hashlib.sha256(f"{versions()}\n".encode())
     digest.update(re.sub(r"^/.*\n?", "", text, flags=re.MULTILINE).encode())
     for file in [*sources, *headers]:
         code = re.sub(r"//.*", "", file.read_text(encoding="utf-8"))

@@ -1,0 +1,85 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Mutation testing of the processors and the controller: reports/mutation.md and mutation.json.
+
+Faults are drawn in the hardware (mutation/netlist.py), the project's own tests are built with the faulty netlists in
+the place of it (tb/mutate) and run once for each fault, and what no test has noticed is proven to be no fault
+(mutation/proof.py) or listed, with what tb/mutate/survivors.toml says of it. Exit code 1 if a survivor is neither
+proven nor explained; the report is written anyway.
+"""
+from __future__ import annotations
+
+import argparse
+import subprocess
+import sys
+import time
+
+from flow import tools
+from mutation import campaign, netlist, proof, report
+from mutation.subjects import Subject, subjects
+
+NETLISTS = tools.BUILD / "mutate" / "netlists"
+
+
+def build(chosen: list[Subject], jobs: int) -> None:
+    """The test programs, with all netlists that there are."""
+    tools.say("building the tests (log: build/logs/mutate-build.log)")
+    targets = sorted({trial.program for subject in chosen for trial in subject.trials})
+    tools.run(["cmake", "-G", "Ninja", "-S", "compiler", "-B", str(campaign.TESTS), "-DCMAKE_BUILD_TYPE=Release",
+               f"-DRUNG_MUTANTS={NETLISTS}"], tools.LOGS / "mutate-configure.log")
+    tools.run(["cmake", "--build", str(campaign.TESTS), "-j", str(jobs), "--target", *targets],
+              tools.LOGS / "mutate-build.log")
+
+
+def examine(subject: Subject, mutants: list[netlist.Mutant], jobs: int) -> report.Result:
+    """Kill or prove all mutants of a subject."""
+    start = time.process_time() + sum(children_seconds())
+    seen = campaign.verdicts(subject, mutants, jobs)
+    campaign_seconds = time.process_time() + sum(children_seconds()) - start
+    alive = [mutant for mutant in mutants if not seen[mutant.number]]
+    proofs: dict[int, proof.Verdict] = {}
+    if alive:
+        tools.say(f"{subject.name}: proofs of {len(alive)} mutants")
+        prover = proof.Prover(subject)
+        proofs = {mutant.number: prover.prove(mutant) for mutant in alive}
+        tools.say(f"{subject.name}: {sum(verdict.equal for verdict in proofs.values())} proven")
+    return report.Result(subject, mutants, seen, proofs, round(campaign_seconds))
+
+
+def children_seconds() -> tuple[float, float]:
+    import resource  # not on every system that can read this file
+    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return usage.ru_utime, usage.ru_stime
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--subject", action="append", default=[], choices=[subject.name for subject in subjects()],
+                        help="these only, and no report")
+    options = parser.parse_args()
+    chosen = [subject for subject in subjects() if not options.subject or subject.name in options.subject]
+    try:
+        mutants = {}
+        for subject in chosen:
+            mutants[subject.name] = netlist.draw(subject, options.seed)
+            netlist.write(subject, mutants[subject.name], NETLISTS)
+            tools.say(f"{subject.name}: {len(mutants[subject.name])} mutants")
+        build(chosen, options.jobs)
+        results = [examine(subject, mutants[subject.name], options.jobs) for subject in chosen]
+        known = report.explanations()
+        unexplained = [line for result in results for line in report.unexplained(result, known)]
+        if not options.subject:
+            report.write(results, known, options.seed)
+            tools.say("wrote reports/mutation.md and mutation.json")
+    except (tools.FlowError, subprocess.CalledProcessError) as error:
+        print(f"mutate: {error}", file=sys.stderr)
+        return 1
+    for line in unexplained:
+        print(line, file=sys.stderr)
+    return 1 if unexplained else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

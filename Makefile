@@ -174,6 +174,12 @@ formal: ## prove what tb/formal/proofs.toml lists, with faults that the proofs r
 	@scripts/setup.sh flow
 	@$(VENV)/python scripts/formal.py --jobs $(JOBS)
 
+.PHONY: mutate
+mutate: ## faults in processors and controller that the tests have to notice: reports/mutation.md
+	@scripts/setup.sh build
+	@scripts/setup.sh flow
+	@$(VENV)/python scripts/mutate.py --jobs $(JOBS)
+
 .PHONY: hardwired
 hardwired: build ## programs as hard-wired logic: checked, area, clock, time of a change: reports/hardwired.md
 	@scripts/setup.sh flow

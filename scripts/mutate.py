@@ -25,8 +25,11 @@ def build(chosen: list[Subject], jobs: int) -> None:
     """The test programs, with all netlists that there are."""
     tools.say("building the tests (log: build/logs/mutate-build.log)")
     targets = sorted({trial.program for subject in chosen for trial in subject.trials})
-    tools.run(["cmake", "-G", "Ninja", "-S", "compiler", "-B", str(campaign.TESTS), "-DCMAKE_BUILD_TYPE=Release",
-               f"-DRUNG_MUTANTS={NETLISTS}"], tools.LOGS / "mutate-configure.log")
+    rules = campaign.TESTS / "build.ninja"
+    # A netlist that was not there before is nothing that the rules would notice.
+    if not rules.exists() or any(path.stat().st_mtime > rules.stat().st_mtime for path in NETLISTS.iterdir()):
+        tools.run(["cmake", "-G", "Ninja", "-S", "compiler", "-B", str(campaign.TESTS), "-DCMAKE_BUILD_TYPE=Release",
+                   f"-DRUNG_MUTANTS={NETLISTS}"], tools.LOGS / "mutate-configure.log")
     tools.run(["cmake", "--build", str(campaign.TESTS), "-j", str(jobs), "--target", *targets],
               tools.LOGS / "mutate-build.log")
 

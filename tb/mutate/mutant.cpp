@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which mutant of a netlist is run: the netlist asks once, when its model starts. The environment says
-// RUNG_MUTANT=netlist:number; without it, and for all other netlists, it is 0, the hardware as it is.
+// Which mutant of a netlist is run: the netlist asks once, when its model starts. The environment
+// says RUNG_MUTANT=netlist:number; without it, and for all other netlists, it is 0, the hardware as
+// it is.
 #include <cstdlib>
 #include <string_view>
 

@@ -43,7 +43,7 @@ def examine(subject: Subject, mutants: list[netlist.Mutant], jobs: int) -> repor
     proofs: dict[int, proof.Verdict] = {}
     if alive:
         tools.say(f"{subject.name}: proofs of {len(alive)} mutants")
-        prover = proof.Prover(subject)
+        prover = proof.Prover(subject, alive)
         proofs = {mutant.number: prover.prove(mutant) for mutant in alive}
         tools.say(f"{subject.name}: {sum(verdict.equal for verdict in proofs.values())} proven")
     return report.Result(subject, mutants, seen, proofs, round(campaign_seconds))

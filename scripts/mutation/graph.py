@@ -73,6 +73,14 @@ class Graph:
             found = self.known[a, b] = 2 * (len(self.operands) - 1)
         return found
 
+    def exclusive(self, a: int, b: int) -> int:
+        return self.conjunction(self.conjunction(a, b) ^ 1, self.conjunction(a ^ 1, b ^ 1) ^ 1)
+
+    def choose(self, condition: int, yes: int, no: int) -> int:
+        if yes == no:
+            return yes
+        return self.conjunction(self.conjunction(condition, yes) ^ 1, self.conjunction(condition ^ 1, no) ^ 1) ^ 1
+
     def clock(self, machine: Machine, inputs: list[int], registers: list[int]) -> tuple[list[int], list[int]]:
         """Outputs and the registers' next values."""
         value = [0] * machine.size

@@ -114,8 +114,10 @@ def write(subject: Subject, mutants: list[Mutant], folder: Path) -> None:
     here = subject.folder.relative_to(tools.ROOT)
     script = subject.folder / "netlist.ys"
     tools.write_file(script, "\n".join([
-        f"read_rtlil {here}/whole.il", *map(apply, mutants), f"write_rtlil {here}/mutants.il",
-        f"delete -input {subject.top}/w:rung_mutant", f"write_verilog -noattr {here}/netlist.v", ""]))
+        f"read_rtlil {here}/whole.il", *map(apply, mutants),
+        # A fault drives one bit of a signal from others of it: no loop, but Verilator would take it for one, and be slow.
+        f"delete -input {subject.top}/w:rung_mutant", "splitnets -driver", "opt_clean",
+        f"write_verilog -noattr {here}/netlist.v", ""]))
     tools.run([tools.YOSYS, "-s", str(script)], tools.LOGS / f"mutate-{subject.name}-netlist.log")
     text = (subject.folder / "netlist.v").read_text(encoding="utf-8")
     text, found = re.subn(

@@ -61,8 +61,9 @@ def check(folder: Path, program: str) -> int:
     if seen := campaign.run(sample, 0, sample.trials[0], 600):
         print(f"without a fault the tests fail: {seen}")
         return 1
-    prover, wrong = proof.Prover(sample), 0
-    for mutant, (*_, noticeable) in zip(mutants(folder), KNOWN):
+    drawn, wrong = mutants(folder), 0
+    prover = proof.Prover(sample, drawn)
+    for mutant, (*_, noticeable) in zip(drawn, KNOWN):
         seen = campaign.run(sample, mutant.number, sample.trials[0], 600)
         equal = prover.prove(mutant)
         print(f"{mutant.place}: {mutant.describe()}: {seen or 'no test notices it'}; {equal.why}")

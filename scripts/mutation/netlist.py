@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from flow import tools
+from flow.synthesis import yosys_version
 from mutation.subjects import Subject
 
 BITS = 16
@@ -88,15 +89,28 @@ def for_tests_only(mutant: Mutant, lines: dict[str, set[int]]) -> bool:
     return any(int(place.split(":")[1]) in lines.get(place.split(":")[0], ()) for place in mutant.places)
 
 
+def made(script: Path, text: str, sources: list[Path], results: list[Path]) -> None:
+    """Run a Yosys script unless its results are those of the same script, sources and Yosys."""
+    stamp = script.with_suffix(".inputs")
+    want = tools.digest([text, yosys_version()], sources)
+    if tools.up_to_date(stamp, want, results):
+        return
+    stamp.unlink(missing_ok=True)
+    tools.write_file(script, text)
+    tools.run([tools.YOSYS, "-s", str(script)], tools.LOGS / f"mutate-{script.parent.name}-{script.stem}.log")
+    tools.write_file(stamp, want)
+
+
 def draw(subject: Subject, seed: int) -> list[Mutant]:
     """The mutants, numbered from 1. Left out: faults of the clock, and of what is there for the tests alone."""
     tools.generate_isa_header()
     subject.folder.mkdir(parents=True, exist_ok=True)
     here = subject.folder.relative_to(tools.ROOT)
     script = subject.folder / "draw.ys"
-    tools.write_file(script, read_script(subject) + f"write_rtlil {here}/whole.il\n"
-                     f"mutate -list {int(subject.wanted * SPARE)} -seed {seed} -o {here}/drawn.txt {subject.top}\n")
-    tools.run([tools.YOSYS, "-s", str(script)], tools.LOGS / f"mutate-{subject.name}-draw.log")
+    text = (read_script(subject) + f"write_rtlil {here}/whole.il\n"
+            f"mutate -list {int(subject.wanted * SPARE)} -seed {seed} -o {here}/drawn.txt {subject.top}\n")
+    made(script, text, [*subject.mutated, *subject.kept, *sorted(tools.GENERATED.glob("*.vh"))],
+         [subject.folder / "whole.il", subject.folder / "drawn.txt"])
     lines = {str(path.relative_to(tools.ROOT)): retire_lines(path) for path in subject.mutated}
     drawn = [parse(line, 0) for line in (subject.folder / "drawn.txt").read_text(encoding="utf-8").splitlines()]
     mutants = [mutant for mutant in drawn if mutant.mode != "none" and mutant.port.lstrip("\\") not in ("CLK", "clk_i")
@@ -113,12 +127,12 @@ def write(subject: Subject, mutants: list[Mutant], folder: Path) -> None:
     """NAME.v in `folder`, in which any of the mutants can be chosen, and NAME.txt (tb/mutate/mutated.cmake)."""
     here = subject.folder.relative_to(tools.ROOT)
     script = subject.folder / "netlist.ys"
-    tools.write_file(script, "\n".join([
+    lines = [
         f"read_rtlil {here}/whole.il", *map(apply, mutants),
         # A fault drives one bit of a signal from others of it: no loop, but Verilator would take it for one, and be slow.
         f"delete -input {subject.top}/w:rung_mutant", "splitnets -driver", "opt_clean",
-        f"write_verilog -noattr {here}/netlist.v", ""]))
-    tools.run([tools.YOSYS, "-s", str(script)], tools.LOGS / f"mutate-{subject.name}-netlist.log")
+        f"write_verilog -noattr {here}/netlist.v", ""]
+    made(script, "\n".join(lines), [subject.folder / "whole.il"], [subject.folder / "netlist.v"])
     text = (subject.folder / "netlist.v").read_text(encoding="utf-8")
     text, found = re.subn(
         rf"^  wire \[{BITS - 1}:0\] rung_mutant;$",

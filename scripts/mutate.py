@@ -12,7 +12,6 @@ from __future__ import annotations
 import argparse
 import subprocess
 import sys
-import time
 
 from flow import tools
 from mutation import campaign, netlist, proof, report
@@ -34,25 +33,18 @@ def build(chosen: list[Subject], jobs: int) -> None:
               tools.LOGS / "mutate-build.log")
 
 
-def examine(subject: Subject, mutants: list[netlist.Mutant], jobs: int) -> report.Result:
-    """Kill or prove all mutants of a subject."""
-    start = time.process_time() + sum(children_seconds())
-    seen = campaign.verdicts(subject, mutants, jobs)
-    campaign_seconds = time.process_time() + sum(children_seconds()) - start
-    alive = [mutant for mutant in mutants if not seen[mutant.number]]
+def examine(subject: Subject, mutants: list[netlist.Mutant], jobs: int, seconds: float) -> report.Result:
+    """Kill or prove the mutants of a subject."""
+    seen = campaign.verdicts(subject, mutants, jobs, seconds)
+    run = [mutant for mutant in mutants if mutant.number in seen]
+    alive = [mutant for mutant in run if not seen[mutant.number]]
     proofs: dict[int, proof.Verdict] = {}
     if alive:
         tools.say(f"{subject.name}: proofs of {len(alive)} mutants")
         prover = proof.Prover(subject, alive)
         proofs = {mutant.number: prover.prove(mutant) for mutant in alive}
         tools.say(f"{subject.name}: {sum(verdict.equal for verdict in proofs.values())} proven")
-    return report.Result(subject, mutants, seen, proofs, round(campaign_seconds))
-
-
-def children_seconds() -> tuple[float, float]:
-    import resource  # not on every system that can read this file
-    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return usage.ru_utime, usage.ru_stime
+    return report.Result(subject, len(mutants), run, seen, proofs)
 
 
 def main() -> int:
@@ -61,6 +53,8 @@ def main() -> int:
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--subject", action="append", default=[], choices=[subject.name for subject in subjects()],
                         help="these only, and no report")
+    parser.add_argument("--seconds", type=float, default=1e9,
+                        help="for each netlist: no test is begun after them, and the report says how many mutants were run")
     options = parser.parse_args()
     chosen = [subject for subject in subjects() if not options.subject or subject.name in options.subject]
     try:
@@ -70,7 +64,7 @@ def main() -> int:
             netlist.write(subject, mutants[subject.name], NETLISTS)
             tools.say(f"{subject.name}: {len(mutants[subject.name])} mutants")
         build(chosen, options.jobs)
-        results = [examine(subject, mutants[subject.name], options.jobs) for subject in chosen]
+        results = [examine(subject, mutants[subject.name], options.jobs, options.seconds) for subject in chosen]
         known = report.explanations()
         unexplained = [line for result in results for line in report.unexplained(result, known)]
         if not options.subject:

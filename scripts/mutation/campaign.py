@@ -15,7 +15,7 @@ from flow import tools
 from mutation.netlist import Mutant
 from mutation.subjects import Subject, Trial
 
-TESTS = tools.BUILD / "mutate" / "tests"
+TESTS = tools.BUILD / "mutate-tests"
 KILLED_BY_TIME = "no end within the time limit"
 
 
@@ -43,9 +43,9 @@ def run(subject: Subject, number: int, trial: Trial, limit: float) -> str:
     return f"{started[-1] if started else trial.program} ({name})"
 
 
-def verdicts(subject: Subject, mutants: list[Mutant], jobs: int) -> dict[int, str]:
-    """By mutant what noticed it, "" for a survivor. What is known of the same programs is kept, so that a campaign that
-    was stopped goes on where it was."""
+def verdicts(subject: Subject, mutants: list[Mutant], jobs: int, seconds: float) -> dict[int, str]:
+    """By mutant what noticed it, "" for a survivor; after so many seconds no more are begun. What is known of the same
+    programs is kept, so that a campaign that was stopped goes on where it was."""
     record = subject.folder / "verdicts.json"
     want = tools.digest([str(subject.trials), *(mutant.command for mutant in mutants)],
                         [program(trial) for trial in subject.trials])
@@ -53,6 +53,7 @@ def verdicts(subject: Subject, mutants: list[Mutant], jobs: int) -> dict[int, st
     if record.exists():
         stored = json.loads(record.read_text(encoding="utf-8"))
         known = stored["verdicts"] if stored["of"] == want else {}
+    end = time.monotonic() + seconds
     limits = []
     for trial in subject.trials:
         start = time.monotonic()
@@ -69,6 +70,8 @@ def verdicts(subject: Subject, mutants: list[Mutant], jobs: int) -> dict[int, st
     left = [mutant for mutant in mutants if str(mutant.number) not in known]
     step = 25 * jobs
     for first in range(0, len(left), step):
+        if time.monotonic() > end:
+            break
         some = left[first:first + step]
         with ThreadPoolExecutor(jobs) as pool:
             for mutant, seen in zip(some, pool.map(verdict, some)):
@@ -76,4 +79,4 @@ def verdicts(subject: Subject, mutants: list[Mutant], jobs: int) -> dict[int, st
         tools.write_file(record, json.dumps({"of": want, "verdicts": known}, indent=0) + "\n")
         alive = sum(not seen for seen in known.values())
         tools.say(f"{subject.name}: {len(known)} of {len(mutants)} mutants, {alive} not noticed")
-    return {mutant.number: known[str(mutant.number)] for mutant in mutants}
+    return {int(number): seen for number, seen in known.items()}

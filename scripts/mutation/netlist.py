@@ -17,8 +17,8 @@ from mutation.subjects import Subject
 
 BITS = 16
 SPARE = 1.6                       # drawn for one that is wanted: some of them are filtered out
-GATE = {"inv": "inverted", "const0": "stuck at 0", "const1": "stuck at 1", "cnot0": "inverted while bit {} of it is 0",
-        "cnot1": "inverted while bit {} of it is 1"}
+FAULT = {"inv": "inverted", "const0": "stuck at 0", "const1": "stuck at 1", "cnot0": "inverted while bit {} is 0",
+         "cnot1": "inverted while bit {} is 1"}
 
 
 @dataclass(frozen=True)
@@ -39,10 +39,12 @@ class Mutant:
         return self.places[0] if self.places else "?"
 
     def describe(self) -> str:
-        wire = f"`{self.wire}[{self.wire_bit}]`" if self.wire else "a value without a name"
-        kind = re.search(r"\$(?:flatten.*?\$)?(?:auto\$)?([a-z_]+)", self.cell.rsplit(".", 1)[-1])
-        cell = f"{kind.group(1)}." if kind else ""
-        return f"{wire} {GATE[self.mode].format(self.control)} at {cell}{self.port}[{self.bit}]"
+        """The fault: a signal with a name, or a port of a cell; a register is one too."""
+        kinds = [kind for kind in re.findall(r"\$([a-z_]+)\$", self.cell) if kind != "auto"]
+        cell = kinds[-1] if kinds else "register" if "$" in self.cell else self.cell.lstrip("\\")
+        port = f"{cell}.{self.port.lstrip(chr(92))}[{self.bit}]"
+        wire = f"`{self.wire}[{self.wire_bit}]` at {port}" if self.wire else port
+        return f"{wire} {FAULT[self.mode].format(self.control)}"
 
 
 def read_script(subject: Subject) -> str:

@@ -22,7 +22,7 @@ from mutation.netlist import BITS, Mutant, apply
 from mutation.subjects import Subject
 
 HISTORY = 8                       # clocks; the tests' resets last as long
-LIMIT = 60.0                      # seconds of one question to the solver
+LIMIT = 20.0                      # seconds of one question to the solver
 # Outputs that count where another one is 1: both as patterns, {0} being what stands before, {1} the slot.
 MASKS = ((r"(retire|)_?(step|exc|bits|words)_o", "retire_valid_o"), (r"(.*)(bit|word)_(addr|data)_o", "{0}{1}_we_o"),
          (r"(write)_(addr|data)_o", "{0}_valid_o"), (r"(load)_(r)data_o", "load_rvalid_o"),

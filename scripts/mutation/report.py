@@ -24,10 +24,10 @@ Explanation = dict[str, str]
 @dataclass(frozen=True)
 class Result:
     subject: Subject
-    mutants: list[Mutant]
+    drawn: int
+    mutants: list[Mutant]         # those that were run
     seen: dict[int, str]          # by mutant what noticed it; "" for nothing
     proofs: dict[int, Verdict]    # of those that nothing noticed
-    seconds: int                  # of the processor, for the tests
 
     def survivors(self) -> list[Mutant]:
         return [mutant for mutant in self.mutants if mutant.number in self.proofs and not self.proofs[mutant.number].equal]
@@ -62,18 +62,18 @@ def unexplained(result: Result, known: list[Explanation]) -> list[str]:
 
 
 def counts(results: list[Result]) -> list[str]:
-    rows = ["| design | mutants | killed | proven equivalent | listed | CPU s of the tests |", "|---|--:|--:|--:|--:|--:|"]
+    rows = ["| design | drawn | run | killed | proven equivalent | listed |", "|---|--:|--:|--:|--:|--:|"]
     for group in dict.fromkeys(result.subject.group for result in results):
         some = [result for result in results if result.subject.group == group]
         killed = sum(bool(seen) for result in some for seen in result.seen.values())
         proven = sum(verdict.equal for result in some for verdict in result.proofs.values())
-        rows.append(f"| {group} | {sum(len(result.mutants) for result in some)} | {killed} | {proven} | "
-                    f"{sum(len(result.survivors()) for result in some)} | {sum(result.seconds for result in some)} |")
+        rows.append(f"| {group} | {sum(result.drawn for result in some)} | {sum(len(result.mutants) for result in some)} | "
+                    f"{killed} | {proven} | {sum(len(result.survivors()) for result in some)} |")
     return rows
 
 
 def parts(results: list[Result]) -> list[str]:
-    rows = ["| netlist | parameters | tests | mutants | killed first by |", "|---|---|---|--:|---|"]
+    rows = ["| netlist | parameters | tests | run | killed first by |", "|---|---|---|--:|---|"]
     for result in results:
         suites = collections.Counter(re.sub(r"/\w+$| \(.*$", "", seen) for seen in result.seen.values() if seen)
         first = ", ".join(f"{name} {count}" for name, count in suites.most_common(8))
@@ -104,9 +104,9 @@ def record(result: Result, known: list[Explanation]) -> dict[str, Any]:
         survivors.append({"number": mutant.number, "places": mutant.places, "what": mutant.describe(), "equal": verdict.equal,
                           "proof": verdict.why, **({"why": entry["why"], "takes": entry["takes"]} if entry else {})})
     return {"netlist": result.subject.name, "design": result.subject.group, "parameters": dict(result.subject.parameters),
-            "mutants": len(result.mutants), "killed": sum(bool(seen) for seen in result.seen.values()),
+            "drawn": result.drawn, "run": len(result.mutants), "killed": sum(bool(seen) for seen in result.seen.values()),
             "killed_by": dict(collections.Counter(seen for seen in result.seen.values() if seen).most_common()),
-            "cpu_seconds": result.seconds, "not_killed": survivors}
+            "not_killed": survivors}
 
 
 def write(results: list[Result], known: list[Explanation], seed: int) -> None:

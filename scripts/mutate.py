@@ -34,17 +34,25 @@ def build(chosen: list[Subject], jobs: int) -> None:
 
 
 def examine(subject: Subject, mutants: list[netlist.Mutant], jobs: int, seconds: float) -> report.Result:
-    """Kill or prove the mutants of a subject."""
-    seen = campaign.verdicts(subject, mutants, jobs, seconds)
-    run = [mutant for mutant in mutants if mutant.number in seen]
-    alive = [mutant for mutant in run if not seen[mutant.number]]
+    """Kill or prove the mutants of a subject: the first tests, then the proofs that take no time, as what is proven needs
+    no more tests; all tests, then all proofs."""
+    seen: dict[int, str] = {}
     proofs: dict[int, proof.Verdict] = {}
-    if alive:
-        tools.say(f"{subject.name}: proofs of {len(alive)} mutants")
-        prover = proof.Prover(subject, alive)
-        proofs = {mutant.number: prover.prove(mutant) for mutant in alive}
-        tools.say(f"{subject.name}: {sum(verdict.equal for verdict in proofs.values())} proven")
-    return report.Result(subject, len(mutants), run, seen, proofs)
+    alive, prover = mutants, None
+    for trial in subject.trials:
+        found = campaign.verdicts(subject, trial, alive, jobs, seconds)
+        seen |= {number: by for number, by in found.items() if by}
+        alive = [mutant for mutant in alive if mutant.number in found and not found[mutant.number]]
+        if alive and prover is None:
+            prover = proof.Prover(subject, alive)
+            proofs = {mutant.number: verdict for mutant in alive if (verdict := prover.attempt(mutant, 0)).equal}
+        alive = [mutant for mutant in alive if mutant.number not in proofs]
+        tools.say(f"{subject.name}: {len(seen)} killed, {len(proofs)} proven, {len(alive)} left")
+    if prover is not None:
+        proofs |= {mutant.number: prover.prove(mutant) for mutant in alive}
+    seen |= {number: "" for number in proofs}
+    tools.say(f"{subject.name}: {sum(verdict.equal for verdict in proofs.values())} proven")
+    return report.Result(subject, len(mutants), [mutant for mutant in mutants if mutant.number in seen], seen, proofs)
 
 
 def main() -> int:

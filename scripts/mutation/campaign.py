@@ -43,30 +43,20 @@ def run(subject: Subject, number: int, trial: Trial, limit: float) -> str:
     return f"{started[-1] if started else trial.program} ({name})"
 
 
-def verdicts(subject: Subject, mutants: list[Mutant], jobs: int, seconds: float) -> dict[int, str]:
-    """By mutant what noticed it, "" for a survivor; after so many seconds no more are begun. What is known of the same
-    programs is kept, so that a campaign that was stopped goes on where it was."""
-    record = subject.folder / "verdicts.json"
-    want = tools.digest([str(subject.trials), *(mutant.command for mutant in mutants)],
-                        [program(trial) for trial in subject.trials])
+def verdicts(subject: Subject, trial: Trial, mutants: list[Mutant], jobs: int, seconds: float) -> dict[int, str]:
+    """By mutant what of a trial noticed it, "" for nothing; after so many seconds no more are begun. What is known of the
+    same program is kept, so that a campaign that was stopped goes on where it was."""
+    record = subject.folder / f"verdicts-{subject.trials.index(trial)}.json"
+    want = tools.digest([str(trial), (subject.folder / "netlist.v").read_text(encoding="utf-8")], [program(trial)])
     known: dict[str, str] = {}
     if record.exists():
         stored = json.loads(record.read_text(encoding="utf-8"))
         known = stored["verdicts"] if stored["of"] == want else {}
     end = time.monotonic() + seconds
-    limits = []
-    for trial in subject.trials:
-        start = time.monotonic()
-        if seen := run(subject, 0, trial, 600):
-            raise tools.FlowError(f"{subject.name}: {trial.program} fails without a mutant: {seen}")
-        limits.append(30 + 20 * (time.monotonic() - start))
-
-    def verdict(mutant: Mutant) -> str:
-        for trial, limit in zip(subject.trials, limits):
-            if seen := run(subject, mutant.number, trial, limit):
-                return seen
-        return ""
-
+    start = time.monotonic()
+    if seen := run(subject, 0, trial, 600):
+        raise tools.FlowError(f"{subject.name}: {trial.program} fails without a mutant: {seen}")
+    limit = 30 + 20 * (time.monotonic() - start)
     left = [mutant for mutant in mutants if str(mutant.number) not in known]
     step = 25 * jobs
     for first in range(0, len(left), step):
@@ -74,9 +64,8 @@ def verdicts(subject: Subject, mutants: list[Mutant], jobs: int, seconds: float)
             break
         some = left[first:first + step]
         with ThreadPoolExecutor(jobs) as pool:
-            for mutant, seen in zip(some, pool.map(verdict, some)):
+            for mutant, seen in zip(some, pool.map(lambda mutant: run(subject, mutant.number, trial, limit), some)):
                 known[str(mutant.number)] = seen
         tools.write_file(record, json.dumps({"of": want, "verdicts": known}, indent=0) + "\n")
-        alive = sum(not seen for seen in known.values())
-        tools.say(f"{subject.name}: {len(known)} of {len(mutants)} mutants, {alive} not noticed")
-    return {int(number): seen for number, seen in known.items()}
+        tools.say(f"{subject.name}: {len(known)} mutants run, {sum(not seen for seen in known.values())} not noticed")
+    return {mutant.number: known[str(mutant.number)] for mutant in mutants if str(mutant.number) in known}

@@ -205,9 +205,7 @@ class Prover:
         return Verdict(True, f"forgotten within {HISTORY} clocks")
 
     def prove(self, mutant: Mutant) -> Verdict:
-        first = self.attempt(mutant, 0)
-        if first.equal:
-            return first
+        """What attempt(mutant, 0) has not proven."""
         forgotten = self.window(mutant, False)
         if forgotten.equal:
             forgotten = self.window(mutant, True)

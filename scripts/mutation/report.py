@@ -79,7 +79,8 @@ def parts(results: list[Result]) -> list[str]:
         first = ", ".join(f"{name} {count}" for name, count in suites.most_common(8))
         others = len(suites) - 8
         parameters = ", ".join(f"{name} {value}" for name, value in result.subject.parameters) or "its own defaults"
-        tests = ", ".join(f"`{trial.program}` {trial.filter.replace('*', chr(92) + '*')}" for trial in result.subject.trials)
+        trial = result.subject.trials[-1]
+        tests = f"`{trial.program}` {trial.filter.replace('*', chr(92) + '*')}"
         rows.append(f"| {result.subject.name} | {parameters} | {tests} | {len(result.mutants)} | {first}"
                     f"{f', {others} more' if others > 0 else ''} |")
     return rows

@@ -34,7 +34,7 @@ class Subject:
     kept: tuple[Path, ...]
     parameters: tuple[tuple[str, int], ...]
     wanted: int                   # mutants
-    trials: tuple[Trial, ...]
+    trials: tuple[Trial, ...]     # in this order; the last one is all of them
 
     @property
     def folder(self) -> Path:
@@ -59,7 +59,8 @@ def processor(mpu: int, config: str, wanted: int) -> Subject:
         parameters = gen_isa.parameters(tomllib.load(table)["config"][config], f"mpu{mpu}")
     return Subject(f"{config}_mpu{mpu}", f"MPU{mpu}", f"mpu{mpu}", files(f"mpu{mpu}.v") + CORE, RAM,
                    tuple(parameters.items()), wanted,
-                   (Trial("unit_rtl", "unit", f"*/mpu{mpu}_{config}"),))
+                   tuple(Trial("unit_rtl", "unit", f"{suites}/mpu{mpu}_{config}")
+                         for suites in (f"*/Opcodes.*/mpu{mpu}_{config}:*/LoadPort.*/mpu{mpu}_{config}:*/Access.Words", "*")))
 
 
 def wide(slots: int, wanted: int) -> Subject:

@@ -175,10 +175,10 @@ formal: ## prove what tb/formal/proofs.toml lists, with faults that the proofs r
 	@$(VENV)/python scripts/formal.py --jobs $(JOBS)
 
 .PHONY: mutate
-mutate: ## faults in processors and controller that the tests have to notice: reports/mutation.md
+mutate: ## faults in processors and controller that the tests have to notice: reports/mutation.md; hours; SECONDS= for each netlist
 	@scripts/setup.sh build
 	@scripts/setup.sh flow
-	@$(VENV)/python scripts/mutate.py --jobs $(JOBS)
+	@$(VENV)/python scripts/mutate.py --jobs $(JOBS) $(if $(filter command,$(firstword $(origin SECONDS))),--seconds $(SECONDS))
 
 .PHONY: hardwired
 hardwired: build ## programs as hard-wired logic: checked, area, clock, time of a change: reports/hardwired.md

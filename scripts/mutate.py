@@ -60,7 +60,7 @@ def main() -> int:
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--subject", action="append", default=[], choices=[subject.name for subject in subjects()],
-                        help="these only, and no report")
+                        help="these only; the report keeps what it has of the others")
     parser.add_argument("--seconds", type=float, default=1e9,
                         help="for each netlist: no test is begun after them, and the report says how many mutants were run")
     options = parser.parse_args()
@@ -75,9 +75,8 @@ def main() -> int:
         results = [examine(subject, mutants[subject.name], options.jobs, options.seconds) for subject in chosen]
         known = report.explanations()
         unexplained = [line for result in results for line in report.unexplained(result, known)]
-        if not options.subject:
-            report.write(results, known, options.seed)
-            tools.say("wrote reports/mutation.md and mutation.json")
+        report.write(results, known, options.seed, [subject.name for subject in subjects()])
+        tools.say("wrote reports/mutation.md and mutation.json")
     except (tools.FlowError, subprocess.CalledProcessError) as error:
         print(f"mutate: {error}", file=sys.stderr)
         return 1

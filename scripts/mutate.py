@@ -10,6 +10,7 @@ proven nor explained; the report is written anyway.
 from __future__ import annotations
 
 import argparse
+import itertools
 import subprocess
 import sys
 
@@ -51,8 +52,12 @@ def examine(subject: Subject, mutants: list[netlist.Mutant], jobs: int, seconds:
     if prover is not None:
         proofs |= {mutant.number: prover.prove(mutant) for mutant in alive}
     seen |= {number: "" for number in proofs}
+    # If there was no time for all: those up to the first one left, as the others are those that take long to kill.
+    run = list(itertools.takewhile(lambda mutant: mutant.number in seen, mutants))
+    numbers = {mutant.number for mutant in run}
     tools.say(f"{subject.name}: {sum(verdict.equal for verdict in proofs.values())} proven")
-    return report.Result(subject, len(mutants), [mutant for mutant in mutants if mutant.number in seen], seen, proofs)
+    return report.Result(subject, len(mutants), run, {number: by for number, by in seen.items() if number in numbers},
+                         {number: verdict for number, verdict in proofs.items() if number in numbers})
 
 
 def main() -> int:

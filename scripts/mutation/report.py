@@ -53,7 +53,7 @@ def explained(mutant: Mutant, known: list[Explanation]) -> Explanation | None:
     `in`, and its description matches `what`, if they say so."""
     lines = [(file, source(file)[int(line) - 1]) for file, line in (place.split(":") for place in mutant.places)]
     for entry in known:
-        for file, text in lines or [("", "")]:
+        for file, text in lines or [("?", "")]:
             if (entry.get("in", file) == file and entry.get("line", "") in text
                     and re.search(entry.get("what", ""), mutant.describe())):
                 return entry

@@ -182,6 +182,12 @@ formal: ## prove what tb/formal/*.toml list, with faults that the proofs refuse:
 	@scripts/setup.sh flow
 	@$(VENV)/python scripts/formal.py --jobs $(JOBS)
 
+.PHONY: mutate
+mutate: ## faults in processors and controller that the tests have to notice: reports/mutation.md; hours; SECONDS= for each netlist
+	@scripts/setup.sh build
+	@scripts/setup.sh flow
+	@$(VENV)/python scripts/mutate.py --jobs $(JOBS) $(if $(filter command,$(firstword $(origin SECONDS))),--seconds $(SECONDS))
+
 .PHONY: verification
 verification: test ## each promise of the design with its evidence, from the tests and reports: reports/verification.md
 	@$(PYTHON) scripts/verification.py

@@ -6,8 +6,8 @@
 #
 #   build  C++ compiler, CMake, Verilator, the C++ libraries; AVR compiler and simulator, which
 #          the tests take                                             (make build, sim, test)
-#   test   build, and what the tests run: the Modbus clients mbpoll and pymodbus, the latter in
-#          build/clients; Chromium, and what drives it, in build/browser      (make test)
+#   test   build, flow's build/venv, and what the tests run: the Modbus clients mbpoll and pymodbus, the
+#          latter in build/clients; Chromium, and what drives it, in build/browser      (make test)
 #   lint   build, clang-format and the Verilog linter                  (make lint)
 #   flow   Yosys, nextpnr and the packers in build/venv                (make synth, pnr, bit, boards)
 #   prog   flow, and the libraries of openFPGALoader, which is in build/venv too   (make prog)
@@ -143,6 +143,7 @@ case $1 in
   test)
     debian "${build_packages[@]}" "${venv_packages[@]}" mbpoll tmux
     environment "$build/clients" "$root/tb/clients/requirements.txt" "the tests' Modbus clients" true
+    python_environment
     browser
     ;;
   lint)

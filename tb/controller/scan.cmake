@@ -8,17 +8,22 @@ list(FILTER scan_sources EXCLUDE REGEX "controller/controller(_core)?\\.v$")
 add_library(rung_scan_models STATIC)
 target_compile_options(rung_scan_models PRIVATE -O2 -w)
 # RUNG_RETIRE: the complement in a RAM word that is read and written in the same clock.
+set(scan_arguments -Wall -Wno-PINMISSING -O3 --x-initial unique -DRUNG_RETIRE -GCLOCKS_PER_MS=40)
+rung_mutated(rung_scan_models controller_bus scan_sources scan_arguments)
 verilate(rung_scan_models
   SOURCES ${scan_sources}
   INCLUDE_DIRS ${RUNG_GENERATED} ${RUNG_ROOT}/hdl/core ${RUNG_ROOT}/hdl/flow
   TOP_MODULE controller_bus
   PREFIX Vcontroller_bus
-  VERILATOR_ARGS -Wall -Wno-PINMISSING -O3 --x-initial unique -DRUNG_RETIRE -GCLOCKS_PER_MS=40)
+  VERILATOR_ARGS ${scan_arguments})
+set(time_sources ${RUNG_ROOT}/hdl/controller/time_base.v)
+set(time_arguments -Wall -O3 --x-initial unique -GCLOCKS_PER_MS=5)
+rung_mutated(rung_scan_models time_base time_sources time_arguments)
 verilate(rung_scan_models
-  SOURCES ${RUNG_ROOT}/hdl/controller/time_base.v
+  SOURCES ${time_sources}
   TOP_MODULE time_base
   PREFIX Vtime_base
-  VERILATOR_ARGS -Wall -O3 --x-initial unique -GCLOCKS_PER_MS=5)
+  VERILATOR_ARGS ${time_arguments})
 get_target_property(scan_includes rung_scan_models INCLUDE_DIRECTORIES)
 set_target_properties(rung_scan_models PROPERTIES
                       INTERFACE_SYSTEM_INCLUDE_DIRECTORIES "${scan_includes}")

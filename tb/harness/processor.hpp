@@ -72,6 +72,10 @@ class Processor : public DeviceMemory {
   // The same of steps `entry` to `end` - 1 alone.
   virtual ScanResult run_range(std::uint16_t entry, std::uint16_t end,
                                const RetireObserver& on_retire) = 0;
+  // From now on or no longer, the load port's inputs change in every clock of a scan: accesses,
+  // which a processor ignores while it is busy. The scan throws std::runtime_error if a read is
+  // answered.
+  virtual void disturb_load_port(bool on) = 0;
 };
 
 // A processor after reset, with all devices 0 and an empty program.

@@ -91,6 +91,8 @@ class VerilatedProcessor final : public Processor {
     return run(on_retire);
   }
 
+  void disturb_load_port(bool on) override { disturbed_ = on; }
+
   // Calls `observer` in every clock of the scans to come, with the model as it is in that clock.
   void observe_clocks(std::function<void()> observer) { on_clock_ = std::move(observer); }
   Dut& dut() { return *dut_.operator->(); }
@@ -133,13 +135,26 @@ class VerilatedProcessor final : public Processor {
         result.counted = dut_->clocks_o;
         result.error = dut_->error_o != 0;
       }
+      if (disturbed_) disturb();
       dut_.tick();
       if (++result.clocks > clock_limit_) {
         throw std::runtime_error(fmt::format("no end of the scan after {} clocks", clock_limit_));
       }
     }
     check_writes();
+    dut_->load_valid_i = 0;
     return result;
+  }
+
+  // Another access; none in the clock with done, which is not busy any more.
+  void disturb() {
+    if (dut_->load_rvalid_o != 0) throw std::runtime_error("the load port answers in a scan");
+    noise_ = noise_ * 1664525U + 1013904223U;
+    dut_->load_valid_i = dut_->busy_o;
+    dut_->load_write_i = noise_ >> 31U;
+    dut_->load_space_i = noise_ >> 28U & 7U;
+    dut_->load_addr_i = noise_ >> 8U & 0xfffffU;
+    dut_->load_data_i = static_cast<std::uint16_t>(noise_);
   }
 
   // Words written in a clock, as the retire port has them: a slot's valid bit, address, data.
@@ -210,6 +225,8 @@ class VerilatedProcessor final : public Processor {
   std::uint32_t clock_limit_ = 1000;
   std::array<Writes, 2> writes_{};  // of the last two clocks of a scan, the last one first
   std::function<void()> on_clock_;
+  bool disturbed_ = false;
+  std::uint32_t noise_ = 1;
   Clocked<Dut> dut_;
 };
 

@@ -164,6 +164,33 @@ TEST_P(LoadPort, ScansBackToBack) {
   EXPECT_EQ(bench.rtl().read_word(2), 21);
 }
 
+// Neither program, look-ups, devices nor length change, and no read is answered.
+TEST_P(LoadPort, AccessesInAScanAreIgnored) {
+  Bench bench(GetParam());
+  const bool mpu1 = bench.mpu() == isa::Mpu::Mpu1;
+  for (int row = 0; row < isa::constant::lut_rows; ++row) {
+    bench.set_lut(row, static_cast<std::uint8_t>(0x35 * row + 7));
+  }
+  for (int i = 0; i < 64; ++i) bench.set_bit(i, i % 3 == 0);
+  std::vector<Step> program;
+  for (int i = 0; i < 60; ++i) {
+    program.push_back(bench.step(contact(Opcode::Ld, i)));
+    program.push_back(bench.step(coil(bench.mpu(), Opcode::Out, 100 + i)));
+    program.push_back(bench.step(move_constant(0x1111 * (i % 15), 10 + i)));
+    if (!mpu1) {
+      program.push_back(
+          bench.step(look_up(Opcode::Luto, 2 * i, device(i), device(i + 1), device(200 + i))));
+    }
+  }
+  bench.rtl().disturb_load_port(true);
+  testing::AssertionResult same = bench.scan(program);
+  for (int i = 0; i < 40 && same; ++i) same = bench.scan_again();
+  bench.rtl().disturb_load_port(false);
+  ASSERT_TRUE(same);
+  ASSERT_TRUE(bench.scan_again());
+  EXPECT_TRUE(bench.devices_equal());
+}
+
 TEST_P(LoadPort, ResetKeepsMemoriesAndEndsTheScan) {
   Bench bench(GetParam());
   ASSERT_TRUE(bench.scan({bench.step(move_constant(0x7777, 2))}));

@@ -125,7 +125,8 @@ def prove(proof: Proof) -> Proof:
     cover_depth = proof.get("cover_depth", proof["depth"] + 10)
     cover, cover_seconds = run(f"{proof['name']}-cvr", script(proof, "cover", cover_depth, files, one_run=True), files, "PASS")
     tools.say(f"{proof['name']}: {verdict} in {seconds} s, cover {cover} in {cover_seconds} s")
-    return {**proof, "verdict": verdict, "seconds": seconds, "cover": cover, "cover_seconds": cover_seconds}
+    told = {name: value for name, value in proof.items() if name not in ("peek", "registers", "sources")}
+    return {**told, "verdict": verdict, "seconds": seconds, "cover": cover, "cover_seconds": cover_seconds}
 
 
 def inject(fault: dict[str, Any], proof: Proof) -> dict[str, Any]:

@@ -73,6 +73,8 @@ module host_exchange_proof (
     assume (!(run_q || start_i) || !(register || (sel_buffer_i && (write_i || read_i))));
     assume (!asks || !pending_q);
     assume (!(sel_buffer_i && sel_register_i));
+    assume (!register || (addr_i != `RUNG_REG_EXCHANGE_WRITE_COUNT &&
+                          addr_i != `RUNG_REG_EXCHANGE_READ_COUNT) || wdata_i < 16'd8);
     // The phase has room for the request: see below.
     assume (!(start_i && run_q));
   end
@@ -198,6 +200,8 @@ module host_exchange_proof (
   integer i;
   always @* begin
     if (begun_q) begin
+      if (set_q[2]) assert (write_count_q < 12'd8);
+      if (set_q[0]) assert (read_count_q < 12'd8);
       assert (\exchange.pending_q == pending_q);
       if (run_q) assert (pending_q);
       if (pending_q) assert (&set_q);

@@ -2,11 +2,19 @@
 // Receive ring of the link (hdl/flow/receive_ring.v): every record that goes in comes out once, behind those of its class
 // that went in before it and before those after it, with its bytes; what has not been committed is never seen; room is there
 // exactly if it is said to be. Any place and any byte of it: what is shown of the record in it is shown of all.
-// The frames that come and the records that leave are free in every clock; a frame may be committed in the clock
-// after it began, so that the ring is full after 16.
+// The frames that come and the records that leave are free in every clock.
+//
+// Two proofs, each of which assumes what the other one shows of the same clock or of those before, so that both hold from the
+// reset on, clock by clock:
+//   COUNT 1  the number of used places is that of the records, so that one is free if there is room; assumed:
+//            what leaves was in a used place, and what comes goes to a free one
+//   COUNT 0  all the rest, and that what leaves was in a used place, and what comes goes to a free one; assumed:
+//            if there is room a place is free, and there is room if there are fewer than eight records
 `default_nettype none
 
-module receive_ring_proof (
+module receive_ring_proof #(
+    parameter COUNT = 0
+) (
     input wire       clk_i,
     input wire       rst_ni,
     input wire       begin_i,
@@ -118,21 +126,154 @@ module receive_ring_proof (
     read_byte_q <= live_byte_q;
   end
 
+  (* hierconn *) wire [15:0] \ring.first_q ;
+  (* hierconn *) wire [15:0] \ring.next_q ;
+  (* hierconn *) wire [7:0] \ring.used_q ;
+  (* hierconn *) wire [3:0] \ring.free_q ;
+  (* hierconn *) wire [2:0] \ring.place ;
+  (* hierconn *) wire [7:0] \ring.places.word_q ;
   always @* begin
     if (begun_q) begin
       assert (found == (count_q[4*find_class_i+:4] != 4'd0));
-      assert (total <= 6'd8);
-      assert (any_room == (total < 6'd8));
-      assert (request_room == (total < 6'd7));
-      if (live_q && find_class_i == class_q) assert (found);
-      if (commits) assert (!live_q);  // never over a record that waits
-      if (read_q) assert (read_data == read_byte_q);
+      if (COUNT != 0) begin
+        assert (total <= 6'd8);
+        assert (any_room == (total < 6'd8));
+        assert (request_room == (total < 6'd7));
+        if (any_room) assert (\ring.used_q != 8'hff);
+      end else begin
+        if (live_q && find_class_i == class_q) assert (found);
+        if (commits) assert (!live_q);  // never over a record that waits
+        if (read_q) assert (read_data == read_byte_q);
+      end
+    end
+  end
+
+  // ---- for the induction -----------------------------------------------------------------------------
+  wire [95:0] heads;
+  genvar g;
+  generate
+    for (g = 0; g < 4; g = g + 1) begin : g_class
+      always @* begin
+        if (begun_q) begin
+          assert (\ring.next_q [4*g+:4] - \ring.first_q [4*g+:4] == count_q[4*g+:4]);
+        end
+      end
+    end
+  endgenerate
+  (* hierconn *) wire [2:0] \ring.heads_q[0] ;
+  (* hierconn *) wire [2:0] \ring.heads_q[1] ;
+  (* hierconn *) wire [2:0] \ring.heads_q[2] ;
+  (* hierconn *) wire [2:0] \ring.heads_q[3] ;
+  (* hierconn *) wire [2:0] \ring.heads_q[4] ;
+  (* hierconn *) wire [2:0] \ring.heads_q[5] ;
+  (* hierconn *) wire [2:0] \ring.heads_q[6] ;
+  (* hierconn *) wire [2:0] \ring.heads_q[7] ;
+  (* hierconn *) wire [2:0] \ring.heads_q[8] ;
+  (* hierconn *) wire [2:0] \ring.heads_q[9] ;
+  (* hierconn *) wire [2:0] \ring.heads_q[10] ;
+  (* hierconn *) wire [2:0] \ring.heads_q[11] ;
+  (* hierconn *) wire [2:0] \ring.heads_q[12] ;
+  (* hierconn *) wire [2:0] \ring.heads_q[13] ;
+  (* hierconn *) wire [2:0] \ring.heads_q[14] ;
+  (* hierconn *) wire [2:0] \ring.heads_q[15] ;
+  (* hierconn *) wire [2:0] \ring.heads_q[16] ;
+  (* hierconn *) wire [2:0] \ring.heads_q[17] ;
+  (* hierconn *) wire [2:0] \ring.heads_q[18] ;
+  (* hierconn *) wire [2:0] \ring.heads_q[19] ;
+  (* hierconn *) wire [2:0] \ring.heads_q[20] ;
+  (* hierconn *) wire [2:0] \ring.heads_q[21] ;
+  (* hierconn *) wire [2:0] \ring.heads_q[22] ;
+  (* hierconn *) wire [2:0] \ring.heads_q[23] ;
+  (* hierconn *) wire [2:0] \ring.heads_q[24] ;
+  (* hierconn *) wire [2:0] \ring.heads_q[25] ;
+  (* hierconn *) wire [2:0] \ring.heads_q[26] ;
+  (* hierconn *) wire [2:0] \ring.heads_q[27] ;
+  (* hierconn *) wire [2:0] \ring.heads_q[28] ;
+  (* hierconn *) wire [2:0] \ring.heads_q[29] ;
+  (* hierconn *) wire [2:0] \ring.heads_q[30] ;
+  (* hierconn *) wire [2:0] \ring.heads_q[31] ;
+  assign heads = {
+    \ring.heads_q[31] ,
+    \ring.heads_q[30] ,
+    \ring.heads_q[29] ,
+    \ring.heads_q[28] ,
+    \ring.heads_q[27] ,
+    \ring.heads_q[26] ,
+    \ring.heads_q[25] ,
+    \ring.heads_q[24] ,
+    \ring.heads_q[23] ,
+    \ring.heads_q[22] ,
+    \ring.heads_q[21] ,
+    \ring.heads_q[20] ,
+    \ring.heads_q[19] ,
+    \ring.heads_q[18] ,
+    \ring.heads_q[17] ,
+    \ring.heads_q[16] ,
+    \ring.heads_q[15] ,
+    \ring.heads_q[14] ,
+    \ring.heads_q[13] ,
+    \ring.heads_q[12] ,
+    \ring.heads_q[11] ,
+    \ring.heads_q[10] ,
+    \ring.heads_q[9] ,
+    \ring.heads_q[8] ,
+    \ring.heads_q[7] ,
+    \ring.heads_q[6] ,
+    \ring.heads_q[5] ,
+    \ring.heads_q[4] ,
+    \ring.heads_q[3] ,
+    \ring.heads_q[2] ,
+    \ring.heads_q[1] ,
+    \ring.heads_q[0]
+  };
+  reg [95:0] offset;  // of a head from the oldest of its class
+  reg [31:0] waits;
+  reg [3:0] used;
+  integer p, k;
+  always @* begin
+    used = 4'd0;
+    for (p = 0; p < 8; p = p + 1) used = used + {3'd0, \ring.used_q [p]};
+    for (k = 0; k < 32; k = k + 1) begin
+      offset[3*k+:3] = k[2:0] - \ring.first_q [4*(k/8)+:3];
+      waits[k] = {1'b0, offset[3*k+:3]} < count_q[4*(k/8)+:4];
+    end
+    if (begun_q && COUNT != 0) begin
+      for (p = 0; p < 8; p = p + 1) begin
+        if (leaves && \ring.place == p[2:0]) assume (\ring.used_q [p]);
+        if (commit_i && \ring.place_q == p[2:0]) assume (!\ring.used_q [p]);
+      end
+      assert (\ring.free_q == 4'd8 - used);
+      assert ({2'd0, used} == total);
+      if (framing_q) assert (total < 6'd8);
+    end
+    if (begun_q && COUNT == 0) begin
+      assume (!any_room || \ring.used_q != 8'hff);
+      assume (total <= 6'd8 && any_room == (total < 6'd8));
+      for (p = 0; p < 8; p = p + 1) begin
+        if (p[2:0] == watched_place) begin
+          assert (live_q == \ring.used_q [p]);
+          if (leaves && \ring.place == p[2:0]) assert (\ring.used_q [p]);
+          if (framing_q && of_place) assert (!\ring.used_q [p]);
+        end
+      end
+      // A head that waits names the watched place if and only if it is its record's.
+      for (k = 0; k < 32; k = k + 1) begin
+        if (waits[k]) begin
+          assert ((heads[3*k+:3] == watched_place) ==
+                  (live_q && class_q == k[4:3] && ahead_q == {1'b0, offset[3*k+:3]}));
+        end
+      end
+      for (k = 0; k < 4; k = k + 1) begin
+        if (live_q && class_q == k[1:0]) assert (ahead_q < count_q[4*k+:4]);
+      end
+      if (live_q && live_known_q) assert (\ring.places.word_q == live_byte_q);
+      if (framing_q && of_place && byte_known_q) assert (\ring.places.word_q == byte_q);
     end
   end
 
   always @* begin
     cover (begun_q && read_q && read_data == 8'h5a && count_q[4*class_q+:4] == 4'd2);
-    cover (begun_q && !any_room && live_q && ahead_q == 4'd3);
+    cover (begun_q && live_q && ahead_q == 4'd2 && count_q[4*class_q+:4] == 4'd3);
   end
 
 endmodule

@@ -183,7 +183,7 @@ formal: ## prove what tb/formal/*.toml list, with faults that the proofs refuse:
 	@$(VENV)/python scripts/formal.py --jobs $(JOBS)
 
 .PHONY: mutate
-mutate: ## faults in processors and controller that the tests have to notice: reports/mutation.md; hours; SECONDS= for each netlist
+mutate: ## faults in processors and controller that the tests have to notice: reports/mutation.md; SECONDS= a netlist
 	@scripts/setup.sh build
 	@scripts/setup.sh flow
 	@$(VENV)/python scripts/mutate.py --jobs $(JOBS) $(if $(filter command,$(firstword $(origin SECONDS))),--seconds $(SECONDS))

@@ -38,9 +38,19 @@ class Result:
         return [mutant for mutant in self.mutants if mutant.number in self.proofs and not self.proofs[mutant.number].equal]
 
 
-def explanations() -> list[Explanation]:
+def table(name: str) -> list[Explanation]:
+    """Of tb/mutate/survivors.toml."""
     with open(SURVIVORS, "rb") as file:
-        return tomllib.load(file).get("survivor", [])
+        return tomllib.load(file).get(name, [])
+
+
+def explanations() -> list[Explanation]:
+    return table("survivor")
+
+
+def holes() -> list[str]:
+    rows = ["| mutant | why no test noticed it | test |", "|---|---|---|"]
+    return rows + [f"| {entry['mutant']} | {entry['why']} | {entry['test']} |" for entry in table("hole")]
 
 
 @functools.cache
@@ -145,7 +155,9 @@ def write(results: list[Result], known: list[Explanation], seed: int, order: lis
         f"the same in every clock, whatever the inputs; for some, from the first clock of a reset of {HISTORY} clocks on. "
         f"By file: {', '.join(f'{file} {count}' for file, count in places.most_common()) or 'none'}. Each is in mutation.json.", "",
         "## Survivors", "",
-        "Neither killed nor proven: every one of them, with what was found by looking at it.", "", *listed(all_of), ""]
+        "Neither killed nor proven: every one of them, with what was found by looking at it.", "", *listed(all_of), "",
+        "## Holes that mutants have shown", "",
+        "No test noticed these when they were first run; the test was written because of them.", "", *holes(), ""]
     tools.write_file(tools.REPORTS / "mutation.md", "\n".join(text))
     tools.write_file(RECORD, json.dumps(
         {"made_by": "make mutate", "tools": {"yosys": yosys_version(), "verilator": verilator}, "netlists": all_of}, indent=1) + "\n")

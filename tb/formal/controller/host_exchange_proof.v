@@ -93,7 +93,7 @@ module host_exchange_proof (
   end
 
   // ---- its clocks: clock_q is 1 in the one behind start_i -------------------------------------------------------
-  reg [13:0] clock_q;
+  reg  [13:0] clock_q;
   wire [13:0] writes = {2'd0, control_q[0] ? write_count_q : 12'd0};
   wire [13:0] reads = {2'd0, control_q[1] ? read_count_q : 12'd0};
   wire [13:0] write_clocks = !control_q[0] ? 14'd0 : writes == 14'd0 ? 14'd1 : writes;
@@ -135,9 +135,10 @@ module host_exchange_proof (
   end
 
   wire access = (write_at(clock_q - 14'd2) || read_at(clock_q - 14'd2)) && clock_q >= 14'd3;
-  wire here = !mask && words && !of_answer && write_at(clock_q - 14'd2) &&
-      clock_q == place + 14'd3;
-  wire [15:0] point = write_at(clock_q) ? write_first_q + (mask ? 16'd0 : {2'd0, clock_q} - 16'd1) :
+  wire here = !mask && words && !of_answer && write_at(clock_q - 14'd2) && clock_q == place + 14'd3;
+  wire [15:0] point = write_at(
+      clock_q
+  ) ? write_first_q + (mask ? 16'd0 : {2'd0, clock_q} - 16'd1) :
       mask && clock_q == 14'd1 ? write_first_q : read_first_q + {2'd0, clock_q - setup_at} - 16'd1;
   reg [14:0] point_1_q, point_2_q;
   always @(posedge clk_i) {point_1_q, point_2_q} <= {point[14:0], point_1_q};
@@ -191,7 +192,8 @@ module host_exchange_proof (
   always @(posedge clk_i) begin
     if (!begun_q) set_q <= 5'd0;
     else if (register) begin
-      set_q <= set_q | {addr_i == `RUNG_REG_EXCHANGE_CONTROL, addr_i == `RUNG_REG_EXCHANGE_WRITE_FIRST,
+      set_q <= set_q | {addr_i == `RUNG_REG_EXCHANGE_CONTROL,
+                        addr_i == `RUNG_REG_EXCHANGE_WRITE_FIRST,
                         addr_i == `RUNG_REG_EXCHANGE_WRITE_COUNT, addr_i == `RUNG_REG_EXCHANGE_READ_FIRST,
                         addr_i == `RUNG_REG_EXCHANGE_READ_COUNT};
     end
@@ -219,8 +221,11 @@ module host_exchange_proof (
         assert (!\exchange.looked_q && !\exchange.access_q && !\exchange.read_q );
       end else begin
         assert (clock_q >= 14'd1 && clock_q <= done_at);
-        assert (\exchange.looked_q == (clock_q >= 14'd2 &&
-                                       (write_at(clock_q - 14'd1) || read_at(clock_q - 14'd1))));
+        assert (\exchange.looked_q == (clock_q >= 14'd2 && (write_at(
+            clock_q - 14'd1
+        ) || read_at(
+            clock_q - 14'd1
+        ))));
         assert (\exchange.read_q == (clock_q >= 14'd3 && read_at(clock_q - 14'd2)));
         if (\exchange.looked_q ) begin
           assert (\exchange.looked_write_q == write_at(clock_q - 14'd1));
@@ -269,7 +274,8 @@ module host_exchange_proof (
   end
 
 `ifdef RUNG_NARROW
-  always @* assume (!restart_i && (!asks || wdata_i[4:0] == 5'd15) && map_mapped_i && host_rvalid_i);
+  always @*
+    assume ((!asks || wdata_i[4:0] == 5'd15) && map_mapped_i && host_rvalid_i);
   always @* assume (!register || addr_i == `RUNG_REG_EXCHANGE_CONTROL || wdata_i <= 16'd1);
 `endif
   always @* cover (begun_q && done && writes == 14'd1 && reads == 14'd1);

@@ -4,8 +4,8 @@
 // exactly if it is said to be. Any place and any byte of it: what is shown of the record in it is shown of all.
 // The frames that come and the records that leave are free in every clock.
 //
-// Two proofs, each of which assumes what the other one shows of the same clock or of those before, so that both hold from the
-// reset on, clock by clock:
+// Two proofs that lean on each other: COUNT 1 assumes what COUNT 0 shows of the clock before, COUNT 0 what COUNT 1
+// shows of the same clock, so that both hold from the reset on, clock by clock.
 //   COUNT 1  the number of used places is that of the records, so that one is free if there is room; assumed:
 //            what leaves was in a used place, and what comes goes to a free one
 //   COUNT 0  all the rest, and that what leaves was in a used place, and what comes goes to a free one; assumed:
@@ -128,10 +128,10 @@ module receive_ring_proof #(
 
   (* hierconn *) wire [15:0] \ring.first_q ;
   (* hierconn *) wire [15:0] \ring.next_q ;
-  (* hierconn *) wire [7:0] \ring.used_q ;
-  (* hierconn *) wire [3:0] \ring.free_q ;
-  (* hierconn *) wire [2:0] \ring.place ;
-  (* hierconn *) wire [7:0] \ring.places.word_q ;
+  (* hierconn *) wire [ 7:0] \ring.used_q ;
+  (* hierconn *) wire [ 3:0] \ring.free_q ;
+  (* hierconn *) wire [ 2:0] \ring.place ;
+  (* hierconn *) wire [ 7:0] \ring.places.word_q ;
   always @* begin
     if (begun_q) begin
       assert (found == (count_q[4*find_class_i+:4] != 4'd0));
@@ -226,10 +226,21 @@ module receive_ring_proof #(
     \ring.heads_q[1] ,
     \ring.heads_q[0]
   };
+  // What COUNT 1 assumes of the clock before.
+  reg odd;
+  reg odd_q;
+  always @* begin
+    odd = 1'b0;
+    for (p = 0; p < 8; p = p + 1) begin
+      if (leaves && \ring.place == p[2:0] && !\ring.used_q [p]) odd = 1'b1;
+      if (commit_i && \ring.place_q == p[2:0] && \ring.used_q [p]) odd = 1'b1;
+    end
+  end
+  always @(posedge clk_i) odd_q <= COUNT != 0 && begun_q && rst_ni && odd;
+  integer p, k;
   reg [95:0] offset;  // of a head from the oldest of its class
   reg [31:0] waits;
-  reg [3:0] used;
-  integer p, k;
+  reg [ 3:0] used;
   always @* begin
     used = 4'd0;
     for (p = 0; p < 8; p = p + 1) used = used + {3'd0, \ring.used_q [p]};
@@ -238,10 +249,7 @@ module receive_ring_proof #(
       waits[k] = {1'b0, offset[3*k+:3]} < count_q[4*(k/8)+:4];
     end
     if (begun_q && COUNT != 0) begin
-      for (p = 0; p < 8; p = p + 1) begin
-        if (leaves && \ring.place == p[2:0]) assume (\ring.used_q [p]);
-        if (commit_i && \ring.place_q == p[2:0]) assume (!\ring.used_q [p]);
-      end
+      assume (!odd_q);
       assert (\ring.free_q == 4'd8 - used);
       assert ({2'd0, used} == total);
       if (framing_q) assert (total < 6'd8);

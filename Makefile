@@ -17,6 +17,7 @@ PROGRAM ?=
 JOBS    ?= 2
 SECONDS ?= 600
 MINUTES ?= 60
+COUNT   ?= 2000
 # Of `make test-gate`, with a semicolon between two: hx8k-mpu1;ecp5-mpu2. Without it all
 NETLISTS ?=
 
@@ -83,6 +84,12 @@ test-gate: ## the golden traces on the synthesised netlists, ECP5 and iCE40: rep
 	  >build/logs/gate-configure.log
 	$(call cmake_build,build/gate,,--target gate_golden gate_faults)
 	@$(VENV)/python scripts/gate_level.py run
+
+.PHONY: cov
+cov: ## which situations of the pipeline random and golden programs reach: reports/coverage.md; COUNT=
+	@scripts/setup.sh build
+	$(call cmake_build,build/release,$(RELEASE),--target coverage_functional)
+	@$(PYTHON) scripts/coverage.py build/release/tb/coverage/coverage_functional --programs $(COUNT)
 
 .PHONY: reliability
 reliability: ## the controller with damaged programs, wrong frames, power cuts: reports/reliability.md

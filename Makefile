@@ -18,6 +18,9 @@ JOBS    ?= 2
 SECONDS ?= 600
 MINUTES ?= 60
 SCANS   ?=
+COUNT   ?= 2000
+# Of `make test-gate`, with a semicolon between two: hx8k-mpu1;ecp5-mpu2. Without it all
+NETLISTS ?=
 
 # What `make build` builds, into build/bin
 PROGRAMS := rung rung-samples
@@ -71,6 +74,23 @@ test: ## all tests, built with sanitizers
 	$(call cmake_build,build/test,-DCMAKE_BUILD_TYPE=RelWithDebInfo -DRUNG_SANITIZE=ON -DRUNG_UNITY=ON)
 	@$(CTEST) --test-dir build/test -j $(JOBS) --output-on-failure --no-tests=error \
 	  --output-log build/logs/test.log --output-junit results.xml
+
+.PHONY: test-gate
+test-gate: ## the golden traces on the synthesised netlists, ECP5 and iCE40: reports/gate-level.md; NETLISTS=
+	@scripts/setup.sh build
+	@scripts/setup.sh flow
+	@$(VENV)/python scripts/gate_level.py netlists
+	@$(CMAKE) -G Ninja -S compiler -B build/gate -DCMAKE_BUILD_TYPE=Release -DRUNG_GATE=$(CURDIR)/build/gate-netlists \
+	  -DRUNG_YOSYS_CELLS=$$($(VENV)/python scripts/gate_level.py cells) "-DRUNG_GATE_ONLY=$(NETLISTS)" \
+	  >build/logs/gate-configure.log
+	$(call cmake_build,build/gate,,--target gate_golden gate_faults)
+	@$(VENV)/python scripts/gate_level.py run
+
+.PHONY: cov
+cov: ## which situations of the pipeline random and golden programs reach: reports/coverage.md; COUNT=
+	@scripts/setup.sh build
+	$(call cmake_build,build/release,$(RELEASE),--target coverage_functional)
+	@$(PYTHON) scripts/coverage.py build/release/tb/coverage/coverage_functional --programs $(COUNT)
 
 .PHONY: reliability
 reliability: ## the controller with damaged programs, wrong frames, power cuts: reports/reliability.md

@@ -55,6 +55,7 @@ def verilator() -> list[str]:
     runs.append(("panel_client", [flow / "panel_client.v", flow / "link_crc.v", *uart], []))
     link = ROOT / "tb" / "hardwired" / "hardwired_link.v"
     runs += [("hardwired_link", [link], [f"-GHOST={host}", "-GSTATE=1000", "-GINPUTS=33"]) for host in (0, 1)]
+    runs += [(cell.stem, [cell], []) for cell in sorted((ROOT / "tb" / "gate").glob("*.v")) if cell.stem != "ecp5_cells"]
     for top, sources, options in runs:
         found.append(output([VERILATOR, "--lint-only", "-Wall", *INCLUDE, *options,
                              "--top-module", top, *map(str, sources)]))

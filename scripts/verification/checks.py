@@ -73,12 +73,31 @@ def soak(report: dict[str, Any]) -> Verdict:
         f"{scans} scans of the 10,000,000 asked for on {', '.join(report['boards'])}, {len(report['differences'])} differences")
 
 
+def gate(report: dict[str, Any]) -> Verdict:
+    rows, faults = report["netlists"], report["faults"]
+    differences = sum(row["differences"] for row in rows)
+    caught, injected = (sum(each[key] for each in faults) for key in ("caught", "injected"))
+    text = (f"{', '.join(row['netlist'] for row in rows)}: {sum(row['scans'] for row in rows)} scans of golden programs, {differences} differences; "
+            f"{caught} of {injected} flipped bits of look-up tables found")
+    if report["not_run"]:
+        text += f"; not run: {', '.join(report['not_run'])}"
+    return not differences and not report["not_run"], text
+
+
+def coverage(report: dict[str, Any]) -> Verdict:
+    mpus = report["mpus"]
+    return True, ", ".join(f"MPU{mpu['mpu']} {mpu['hit']} of {mpu['all']}" for mpu in mpus) + (
+        f" situations of the pipeline (opcode, operand, distance, slot, gate); the {sum(len(mpu['holes']) for mpu in mpus)} holes are listed by name")
+
+
 CHECKS = {
     "flow_bounds": Check("flow", "make flow-report", flow_bounds),
     "flow_ladder": Check("flow", "make flow-report", flow_ladder),
     "reliability": Check("reliability", "make reliability", reliability),
     "reliability_latency": Check("reliability", "make reliability", reliability_latency),
     "boards": Check("boards", "make boards", boards),
+    "gate": Check("gate-level", "make test-gate", gate),
+    "coverage": Check("coverage", "make cov", coverage),
     "fuzz": Check("fuzz", "make fuzz", fuzz),
     "mutation": Check("mutation", "make mutate", mutation),
     "soak": Check("soak", "make soak", soak),

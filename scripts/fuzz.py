@@ -29,7 +29,7 @@ ROOT = Path(__file__).resolve().parent.parent
 BUILD = ROOT / "build" / "fuzz"
 CORPUS = ROOT / "tb" / "fuzz" / "corpus"
 REPORT = ROOT / "reports" / "fuzz.json"
-# The readers of fuzz_readers.toml: name, what it reads, most bytes of an input.
+# What each reader reads, and the most bytes of an input.
 READERS: dict[str, dict[str, Any]] = tomllib.loads((ROOT / "tb" / "fuzz" / "readers.toml").read_text(encoding="utf-8"))
 # A reader that takes longer than this for one input hangs.
 HANG_SECONDS = 20
@@ -148,7 +148,7 @@ def write(report: dict[str, Any]) -> None:
         f"written, {total / 3600:.1f} hours together. Verilated readers (rtu_line, link, panel, controller) are covered in the C++ "
         "that Verilator makes, without the sanitizers. What each reader checks is at its source in `tb/fuzz`; the inputs "
         "worth keeping are in `tb/fuzz/corpus` and are read again in every `make test`.", "",
-        *rows, "", "## Faults found", "",
+        *rows, "", *([report["earlier"], ""] if "earlier" in report else []), "## Faults found", "",
         *(faults or ["None since 2026-11-23, when this list began."]), ""])
     for path, content in ((REPORT.with_suffix(".md"), text), (REPORT, json.dumps(report, indent=1) + "\n")):
         temporary = path.with_suffix(".tmp")

@@ -76,6 +76,7 @@ void read_link(std::string_view bytes) {
       case 6: {
         auto& unit = chain.unit(1 + static_cast<int>(input.below(kUnits)));
         unit.hold(!unit.held());
+        chain.steps(20);  // a reset that no clock sees is none
         break;
       }
       default:

@@ -57,6 +57,10 @@ std::string found_with(const std::function<void(SoakProgram&)>& change) {
     EXPECT_EQ(client.commit(), 2);
     for (int i = 0; i < 200 && !watch.running(); ++i) watch.advance(1000);
     watch.advance(400 * static_cast<std::uint64_t>(right->timing.period));
+    watch.expect_stop();
+    client.command(2);
+    watch.stopped();
+    watch.advance(1000);
   } catch (const Difference& difference) {
     return difference.what();
   }

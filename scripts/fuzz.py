@@ -35,6 +35,8 @@ READERS: dict[str, dict[str, Any]] = tomllib.loads((ROOT / "tb" / "fuzz" / "read
 HANG_SECONDS = 20
 # Of a reader's whole corpus, with the sanitizers.
 MOST_REPLAY = 1.5
+# libFuzzer's exit status after the interrupt that ends its time.
+INTERRUPTED = 72
 TICKS = os.sysconf("SC_CLK_TCK")
 
 
@@ -73,7 +75,7 @@ def fuzz(reader: str, seconds: int) -> dict[str, Any]:
     cover = re.findall(r"cov: (\d+) ft: (\d+)", text)
     return {"cpu_seconds": round(used), "inputs": int(inputs[-1]) if inputs else 0,
             "edges": int(cover[-1][0]) if cover else 0, "features": int(cover[-1][1]) if cover else 0,
-            "fault": str(log) if run.returncode != 0 else ""}
+            "fault": str(log) if run.returncode not in (0, INTERRUPTED) else ""}
 
 
 def merge(reader: str, kept: Path, *sources: Path) -> None:

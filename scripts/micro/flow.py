@@ -83,6 +83,20 @@ def blocks_of(code: Code) -> list[Block]:
     return blocks
 
 
+def tests(block: Block) -> bool:
+    """Whether the block's branch goes by the comparison at its end, not by the accumulator."""
+    return block.end == "BRANCH" and bool(block.body) and block.body[-1].name in COMPARES
+
+
+def without_dead_tests(body: list[Instruction], tested: bool) -> list[Instruction]:
+    """Without comparisons that nothing goes by: no TEST behind them, and at the end no branch (`tested`) that does.
+
+    They would not only be idle: at the end of a block, a branch by the accumulator would go by them.
+    """
+    behind = [*(item.name for item in body[1:]), "TEST" if tested else ""]
+    return [item for item, following in zip(body, behind) if item.name not in COMPARES or following == "TEST"]
+
+
 def thread(blocks: list[Block], keep: set[str]) -> list[Block]:
     """Without jumps to blocks that only jump, equal branches, and blocks that nothing reaches."""
     named = {block.name: block for block in blocks}
@@ -98,6 +112,8 @@ def thread(blocks: list[Block], keep: set[str]) -> list[Block]:
     for block in blocks:
         block.targets = [last(target) for target in block.targets]
         if block.end == "BRANCH" and block.targets[0] == block.targets[1]:
+            if tests(block):
+                block.body.pop()
             block.end, block.targets = "JUMP", block.targets[:1]
         if block.end == "JUMP":
             target = named[block.targets[0]]
@@ -249,7 +265,7 @@ def drop_known(blocks: list[Block], entries: set[str]) -> None:
                 before[target] = new
                 todo.append(target)
     for block in blocks:
-        known = before[block.name]
+        known, tested = before[block.name], tests(block)
         body = []
         for item in block.body:
             if item.name in READS_RAM:
@@ -259,8 +275,8 @@ def drop_known(blocks: list[Block], entries: set[str]) -> None:
             known, needed = step(known, item, writes)
             if needed:
                 body.append(item)
-        block.body = body
-        if block.end == "BRANCH" and known.value is not None and not (body and body[-1].name in COMPARES):
+        block.body = without_dead_tests(body, tested)
+        if block.end == "BRANCH" and known.value is not None and not tested:
             block.end, block.targets = "JUMP", [block.targets[known.value != 0]]
 
 
@@ -268,9 +284,9 @@ def edge(block: Block, known: Known, which: int) -> Known:
     """What is known on the way to one of a block's targets."""
     if block.end != "BRANCH":
         return known
-    test = block.body[-1] if block.body and block.body[-1].name in COMPARES else None
-    if test is None:
+    if not tests(block):
         return with_value(known, 0) if which == 0 else known
+    test = block.body[-1]
     if which == 1 and test.name == "EQI":
         return with_value(known, test.operand)
     if which == 1 and test.name == "LTUI" and test.operand == 1:
@@ -288,7 +304,7 @@ def local(place: object) -> bool:
 def live_before(block: Block, live: set[Place], reads: dict[str, set[Place]]) -> set[Place]:
     """Places that are read behind the block's beginning, the accumulator among them."""
     live = set(live)
-    if block.end == "RETURN" or block.end == "BRANCH" and not (block.body and block.body[-1].name in COMPARES):
+    if block.end == "RETURN" or block.end == "BRANCH" and not tests(block):
         live.add(ACC)
     for item in reversed(block.body):
         if item.name in SETS_ACC:
@@ -320,8 +336,8 @@ def drop_stores(blocks: list[Block]) -> None:
                 changed = True
     for block in blocks:
         now = live_before(Block("", [], block.end), set().union(*(live[target] for target in block.targets)), live)
-        if block.body and block.body[-1].name in COMPARES and block.end == "BRANCH" and not any(
-                ACC in live[target] for target in block.targets):
+        tested = tests(block)
+        if tested and not any(ACC in live[target] for target in block.targets):
             now.discard(ACC)
         body = []
         for item in reversed(block.body):
@@ -333,7 +349,7 @@ def drop_stores(blocks: list[Block]) -> None:
                 continue
             now = live_before(Block("", [item], ""), now, live)
             body.append(item)
-        block.body = body[::-1]
+        block.body = without_dead_tests(body[::-1], tested)
 
 
 def called(blocks: list[Block]) -> set[str]:

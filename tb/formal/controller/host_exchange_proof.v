@@ -194,7 +194,8 @@ module host_exchange_proof (
     else if (register) begin
       set_q <= set_q | {addr_i == `RUNG_REG_EXCHANGE_CONTROL,
                         addr_i == `RUNG_REG_EXCHANGE_WRITE_FIRST,
-                        addr_i == `RUNG_REG_EXCHANGE_WRITE_COUNT, addr_i == `RUNG_REG_EXCHANGE_READ_FIRST,
+                        addr_i == `RUNG_REG_EXCHANGE_WRITE_COUNT,
+                        addr_i == `RUNG_REG_EXCHANGE_READ_FIRST,
                         addr_i == `RUNG_REG_EXCHANGE_READ_COUNT};
     end
   end
@@ -208,8 +209,8 @@ module host_exchange_proof (
       if (run_q) assert (pending_q);
       if (pending_q) assert (&set_q);
       if (set_q[4]) begin
-        assert ({\exchange.mask_q , \exchange.raw_q , \exchange.with_read_q , \exchange.with_write_q } ==
-                {control_q[4:3], control_q[1:0]});
+        assert ({\exchange.mask_q , \exchange.raw_q } == control_q[4:3]);
+        assert ({\exchange.with_read_q , \exchange.with_write_q } == control_q[1:0]);
         assert (\exchange.words_q == words);
       end
       if (set_q[3]) assert (\exchange.write_first_q == write_first_q);
@@ -231,7 +232,8 @@ module host_exchange_proof (
           assert (\exchange.looked_write_q == write_at(clock_q - 14'd1));
           assert (\exchange.looked_point_q == point_1_q);
           assert (\exchange.looked_mask_q == (mask && clock_q == 14'd13));
-          if (words && !mask && !of_answer && clock_q == place + 14'd2 && \exchange.looked_write_q ) begin
+          if (words && !mask && !of_answer && clock_q == place + 14'd2 &&
+              \exchange.looked_write_q ) begin
             assert (\exchange.buffer.read_data_q == buffer_q);
           end
         end

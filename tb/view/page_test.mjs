@@ -21,6 +21,16 @@ async function look(options, act) {
   }
 }
 
+// The text, or an attribute, of something: the page draws it some frames after it knows the values.
+async function shows(locator, pattern, attribute) {
+  let found;
+  for (const end = Date.now() + 10000; Date.now() < end; await new Promise((done) => setTimeout(done, 20))) {
+    found = attribute ? await locator.getAttribute(attribute) : await locator.textContent();
+    if (pattern.test(found)) return;
+  }
+  assert.match(found, pattern);
+}
+
 // The list of devices filtered to one row: it is drawn a frame after the filter is typed.
 async function only(page, words) {
   await page.fill('#filter', words);
@@ -31,7 +41,7 @@ const MOTOR = [program('motor.il'), '--comments', program('motor.csv')];
 test('the ladder is drawn, with names, comments and the source comment', async () => {
   await look(MOTOR, async (page) => {
     assert.equal(await page.locator('.rung').count(), 6);
-    assert.match(await page.locator('.note').first().textContent(), /motor that holds itself/);
+    await shows(page.locator('.note').first(), /motor that holds itself/);
     const start = element(page, 'contact', 'X0');
     assert.equal(await start.locator('.comment').textContent(), 'start');
     assert.equal(await page.locator('.element.contact-not').count(), 2);
@@ -66,7 +76,7 @@ for (const engine of ['1', '2', '3', 'reference']) {
       await becomes(page, 'Y0', 1);
       assert.equal(await scans(page), 1);
       const coil = element(page, 'coil', 'M0');
-      assert.match(await coil.getAttribute('class'), /powered/);
+      await shows(coil, /powered/, 'class');
       await page.keyboard.press('Space');  // the button has the focus: one more scan
       await waitScan(page, 2);
       await page.click('#real');
@@ -76,7 +86,7 @@ for (const engine of ['1', '2', '3', 'reference']) {
       const stood = await scans(page);
       assert.ok(stood >= 50 && stood < 2000, `${stood} scans`);
       assert.equal(await value(page, 'TN0'), 5);
-      assert.equal(await page.locator('.element.box', {hasText: 'OUT T0 K5'}).locator('.value').textContent(), '5');
+      await shows(page.locator('.element.box', {hasText: 'OUT T0 K5'}).locator('.value'), /^5$/);
       await page.waitForTimeout(150);
       assert.equal(await scans(page), stood);
     });
@@ -93,7 +103,7 @@ test('energised paths are those that have power', async () => {
     const powered = async (sign, name) => /powered/.test(await element(page, sign, name).getAttribute('class'));
     assert.deepEqual(await Promise.all([powered('coil', 'Y3'), powered('coil', 'Y4'), powered('coil', 'Y5')]), [false, true, true]);
     // X3 conducts where it is negated, and X5, below X4, conducts nowhere.
-    assert.match(await element(page, 'contact-not', 'X3').getAttribute('class'), /conducts/);
+    await shows(element(page, 'contact-not', 'X3'), /conducts/, 'class');
     assert.doesNotMatch(await element(page, 'contact', 'X5').getAttribute('class'), /conducts/);
   });
 });
@@ -123,8 +133,8 @@ test('a device is forced, shown as such, and released', async () => {
     await page.click('#step');
     await waitScan(page, 1);
     assert.equal(await value(page, 'Y0'), 1);  // though its coil has no power
-    assert.match(await element(page, 'coil', 'Y0').getAttribute('class'), /forced/);
-    assert.match(await page.locator('#forced').textContent(), /Y0 = 1/);
+    await shows(element(page, 'coil', 'Y0'), /forced/, 'class');
+    await shows(page.locator('#forced'), /Y0 = 1/);
     await page.click('#release-all');
     await page.click('#step');
     await becomes(page, 'Y0', 0);
@@ -139,8 +149,7 @@ test('a breakpoint stops the run in the scan of the change', async () => {
     await page.keyboard.press('Escape');
     await element(page, 'contact', 'X0').click();
     await page.click('#fast');
-    await page.waitForFunction(() => rung.frame.message !== '');
-    assert.match(await page.locator('#message').textContent(), /Y1 went from 0 to 1 in scan 50/);
+    await page.locator('#message').getByText('Y1 went from 0 to 1 in scan 50').waitFor();
     assert.equal(await page.evaluate(() => rung.frame.mode), 'paused');
     assert.equal(await scans(page), 51);
   });
@@ -152,11 +161,11 @@ test('search goes to where a device is written, then to where it is read', async
     await page.keyboard.type('M140');
     await page.keyboard.press('Enter');
     const toast = page.locator('.toast');
-    assert.match(await toast.textContent(), /M140: rung \d+ writes it/);
+    await shows(toast, /M140: rung \d+ writes it/);
     assert.ok(await page.locator('.element.marked.coil').first().isVisible());
     await page.locator('#search').focus();
     await page.keyboard.press('Enter');
-    assert.match(await page.locator('.toast').textContent(), /reads it/);
+    await shows(page.locator('.toast'), /reads it/);
   });
 });
 
@@ -300,7 +309,7 @@ test('inside the processor: all three, step by step, to the rung and back', asyn
     assert.match(ends[0], /MPU1 \d+ steps; clock 1 of \d+/);
     // The program counter is ahead by a step a clock; the first instruction is in EX after six.
     for (let i = 0; i < 7; i++) await page.keyboard.press('ArrowRight');
-    assert.match(await page.locator('.processor').last().locator('.execute').first().textContent(), /LUT row|exc/);
+    await page.locator('.processor').last().locator('.execute').first().getByText(/LUT row|exc/).first().waitFor();
     await page.locator('.processor').last().locator('.code').first().click();
     assert.ok(await page.locator('#ladder').isVisible());
     assert.ok(await page.evaluate(() => document.activeElement.closest('.element') !== null));
@@ -399,7 +408,7 @@ test('elsewhere it takes a token', async () => {
 
 test('without a program it opens an example', async () => {
   await look([], async (page) => {
-    assert.match(await page.locator('#file').textContent(), /example/);
+    await shows(page.locator('#file'), /example/);
     for (const name of ['X0', 'X2']) await element(page, 'contact', name).click();
     await page.click('#step');
     await becomes(page, 'Y0', 1);

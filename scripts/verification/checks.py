@@ -22,7 +22,7 @@ class Check:
 
 
 def flow_bounds(report: dict[str, Any]) -> Verdict:
-    cells = [cell for cell in report["cells"] if cell["bound_clocks"]]
+    cells = [cell for cell in report["cells"] if cell.get("bound_clocks")]
     over = sum(cell["most_clocks"] > cell["bound_clocks"] for cell in cells)
     nearest = max(cell["most_clocks"] / cell["bound_clocks"] for cell in cells)
     return not over, (f"{sum(cell['inputs'] for cell in cells)} responses in {len(cells)} cells of the experiment, "
@@ -30,8 +30,9 @@ def flow_bounds(report: dict[str, Any]) -> Verdict:
 
 
 def flow_ladder(report: dict[str, Any]) -> Verdict:
-    clocks = {cell["ladder_clocks"] for cell in report["cells"]}
-    return 0 not in clocks, f"beside flow tasks too: a ladder of {', '.join(map(str, sorted(clocks)))} clocks in every round of {len(report['cells'])} cells"
+    cells = [cell for cell in report["cells"] if cell.get("ladder_clocks")]
+    clocks = {cell["ladder_clocks"] for cell in cells}
+    return bool(cells), f"beside flow tasks too: a ladder of {', '.join(map(str, sorted(clocks)))} clocks in every round of {len(cells)} cells"
 
 
 def reliability(report: dict[str, Any]) -> Verdict:

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Comparisons whose result nothing needs, right before a branch by a value: the branch must not go by them.
+// Comparisons whose result nothing needs, right before a branch by a value: the branch must not go
+// by them.
 #include "common.h"
 
 static u16 count;
 static u16 least;
 
-void firmware_reset(void) {
-}
+void firmware_reset(void) {}
 
 void firmware_poll(void) {
   u16 left = 4;

@@ -213,7 +213,7 @@ module max11123_proof #(
   end
 
 `ifdef RUNG_NARROW
-  always @* assume (begun_q == rst_ni);
+  always @* assume (begun_q == rst_ni && any == 16'h39ab);
 `endif
   // The first frame's end. (Sampling takes 7 frames: out of reach of a search from a reset.)
   always @* begin

@@ -272,6 +272,7 @@ module micro_sequencer_proof (
     if (!narrow_q) begin
       assume (\sequencer.state_q == 3'd1 && \sequencer.pc_q == 12'd0);
       assume (\sequencer.depth_q == 4'd0 && !\sequencer.tested_q );
+      assume (\sequencer.ram.word_q == ram_q);
       assume ({acc_q, x_q, test_q} == {\sequencer.acc_q , \sequencer.x_q , \sequencer.test_q });
     end
   end

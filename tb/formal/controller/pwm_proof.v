@@ -133,7 +133,7 @@ module pwm_proof #(
   end
 
 `ifdef RUNG_NARROW
-  always @* assume (begun_q == rst_ni && (duty_i == 16'd10 || duty_i == 16'd50));
+  always @* assume (begun_q == rst_ni && (duty_i == 16'd10 || duty_i == 16'd90));
   always @* assume (hz_i == CLOCK_HZ / 2 || hz_i == CLOCK_HZ / 4);
 `endif
   // A period of two clocks at 50 per cent; one at 100 per cent whose pair is not the one of the period before.

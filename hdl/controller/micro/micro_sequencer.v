@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The micro-sequencer: a 16-bit accumulator machine that runs the controller's firmware from ROM (README.md: its
 // instructions). Three clocks an instruction: F the ROM is addressed, D the instruction names a word of RAM
-// or an address of the bus, E the result. A shift takes one more for each bit, a bus read one more.
+// or an address of the bus, E the result. A shift takes one more for each bit.
 //
 // After a reset all of RAM is set to 0, one word a clock, before the first instruction. Bus: mem_addr_o in the
 // clock of mem_read_o or mem_write_o; mem_rdata_i is taken in the clock after mem_read_o.

@@ -7,8 +7,9 @@
 // unipolar inputs, each frame selects a channel (manual mode, external clock), and the answers bear the number of
 // their channel in bits 15:12: which frame an answer belongs to need not be known. An answer with a
 // channel above 7, such as the ones of a line without a chip, is dropped.
-// HALF: clocks of half a period of sck_o, 3 or more; the chip takes 16 MHz at most, and has HALF - 2 clocks from a
-// falling edge to its bit at miso_i. A sample is at most 10 frames of 36 * HALF clocks old: 58 us at 25 MHz with HALF = 4.
+// HALF: clocks of half a period of sck_o, 3 or more; the chip takes 16 MHz at most, and has HALF - 2 clocks
+// from a falling edge to its bit at miso_i. A sample is at most 10 frames of 36 * HALF clocks old: 58 us at
+// 25 MHz with HALF = 4.
 `default_nettype none
 
 module max11123 #(

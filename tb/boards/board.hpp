@@ -14,6 +14,7 @@
 #include "Vhx8k_mpu1.h"
 #include "Vhx8k_mpu2.h"
 #include "Vhx8k_mpu3.h"
+#include "harness/model_coverage.hpp"
 #include "isa/isa.hpp"
 
 namespace rung::tb {
@@ -41,7 +42,10 @@ class Board {
     top_->rx_i = 1;
     clocks(40);
   }
-  ~Board() { top_->final(); }
+  ~Board() {
+    top_->final();
+    count_coverage(*context_);
+  }
   Board(const Board&) = delete;
   Board& operator=(const Board&) = delete;
 

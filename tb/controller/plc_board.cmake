@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # unit_plc_board: the controller's board top of the HX8K through its pins.
 add_library(rung_plc_board_model STATIC)
-target_compile_options(rung_plc_board_model PRIVATE -O2 -w)
+target_compile_options(rung_plc_board_model PRIVATE ${RUNG_MODEL_OPTIONS})
 verilate(rung_plc_board_model
   SOURCES ${RUNG_ROOT}/hdl/boards/plc_hx8k.v ${RUNG_ROOT}/hdl/boards/power_on_reset.v ${controller_sources}
   INCLUDE_DIRS ${RUNG_GENERATED} ${RUNG_ROOT}/hdl/core ${RUNG_ROOT}/hdl/controller ${RUNG_ROOT}/hdl/flow

@@ -16,6 +16,7 @@
 #include "controller/bit_line.hpp"
 #include "controller/flash_model.hpp"
 #include "device/flash_image.hpp"
+#include "harness/model_coverage.hpp"
 #include "host/support.hpp"
 #include "load/load_file.hpp"
 
@@ -92,7 +93,10 @@ class PlcHx8k : public testing::Test {
     top_->flash_miso_i = 1;
     line_.set_rate(static_cast<std::uint32_t>((8 * kBaud << 20) / kClockHz), Parity::Odd);
   }
-  ~PlcHx8k() override { top_->final(); }
+  ~PlcHx8k() override {
+    top_->final();
+    count_coverage(context_);
+  }
 
   void clock() {
     top_->host_rx_i = line_.level(now_);

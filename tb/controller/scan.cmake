@@ -6,7 +6,7 @@ file(GLOB scan_sources CONFIGURE_DEPENDS
 list(FILTER scan_sources EXCLUDE REGEX "controller/controller(_core)?\\.v$")
 
 add_library(rung_scan_models STATIC)
-target_compile_options(rung_scan_models PRIVATE -O2 -w)
+target_compile_options(rung_scan_models PRIVATE ${RUNG_MODEL_OPTIONS})
 # RUNG_RETIRE: the complement in a RAM word that is read and written in the same clock.
 set(scan_arguments -Wall -Wno-PINMISSING -O3 --x-initial unique -DRUNG_RETIRE -GCLOCKS_PER_MS=40)
 rung_mutated(rung_scan_models controller_bus scan_sources scan_arguments)

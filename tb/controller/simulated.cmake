@@ -25,7 +25,7 @@ foreach(board simulated:0:${RUNG_CLOCKS_PER_MS} hx8k:2:${RUNG_CLOCKS_PER_MS}
   endif()
   set(model rung_controller_${name}_model)
   add_library(${model} STATIC)
-  target_compile_options(${model} PRIVATE -O2 -w)
+  target_compile_options(${model} PRIVATE ${RUNG_MODEL_OPTIONS})
   verilate(${model}
     SOURCES ${CMAKE_CURRENT_SOURCE_DIR}/simulated_controller.v ${model_sources}
     INCLUDE_DIRS ${RUNG_GENERATED} ${RUNG_ROOT}/hdl/core ${RUNG_ROOT}/hdl/controller ${RUNG_ROOT}/hdl/flow

@@ -9,6 +9,7 @@
 
 #include "controller/fast_line.hpp"
 #include "controller/simulated_controller.hpp"
+#include "harness/model_coverage.hpp"
 
 namespace rung::tb {
 
@@ -77,7 +78,7 @@ class VerilatedController final : public SimulatedController {
       : SimulatedController(board, setup, flash_bytes, times), seed_(setup.seed) {
     power_up();
   }
-  ~VerilatedController() override { top_->final(); }
+  ~VerilatedController() override { end_model(); }
 
   void run(std::uint64_t clocks) override {
     if (!powered_) {
@@ -140,9 +141,14 @@ class VerilatedController final : public SimulatedController {
   static constexpr std::uint64_t kResetClocks = 16;
   static constexpr std::array kLamps{Pin::Run, Pin::Fault, Pin::Forced};
 
+  void end_model() {
+    top_->final();
+    count_coverage(*context_);
+  }
+
   // As after configuration of the FPGA: every register anything, then the reset of the board top.
   void power_up() {
-    if (top_) top_->final();
+    if (top_) end_model();
     top_.reset();  // it looks into its context to the end
     context_ = std::make_unique<VerilatedContext>();
     context_->randReset(2);

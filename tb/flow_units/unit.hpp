@@ -16,13 +16,17 @@
 #include "controller/bit_line.hpp"
 #include "controller/flash_model.hpp"
 #include "flow_units/outside.hpp"
+#include "harness/model_coverage.hpp"
 
 namespace rung::tb {
 
 class FlowUnit {
  public:
   FlowUnit(std::uint64_t clocks_per_ms, std::uint64_t seed);
-  ~FlowUnit() { top_->final(); }
+  ~FlowUnit() {
+    top_->final();
+    count_coverage(*context_);
+  }
 
   FlashModel& flash() { return flash_; }
   Vflow_unit& pins() { return *top_; }

@@ -6,6 +6,8 @@
 
 #include <memory>
 
+#include "harness/model_coverage.hpp"
+
 namespace rung::tb {
 
 template <typename Dut>
@@ -23,6 +25,7 @@ class Clocked {
     // A model takes its scopes out of the context that its thread used last.
     Verilated::threadContextp(context_.get());
     dut_->final();
+    count_coverage(*context_);
   }
   Clocked(const Clocked&) = delete;
   Clocked& operator=(const Clocked&) = delete;

@@ -28,9 +28,9 @@ RUNG = tools.BUILD / "bin" / "rung"
 SAMPLES = tools.BUILD / "bin" / "rung-samples"
 FOLDER = tools.BUILD / "hardwired"
 TOP = tools.ROOT / "tb" / "hardwired"
-# With nextpnr's router for what is large: the other one did not end.
+# For a clock that it reaches. Router 2 did not end: after twelve rounds 4,000 wires still had two users.
 BOARD = dataclasses.replace(WIDE_BOARD, name="hardwired", constraints=("--lpf", tools.ROOT / "constraints" / "hardwired.lpf"),
-                            family=dataclasses.replace(ECP5, nextpnr_options=(*ECP5.nextpnr_options, "--router", "router2")))
+                            family=ECP5, goal_mhz=45)
 WORD = re.compile(r"^(MV|ADD|SUB|MUL|DIV)\b.*$", re.MULTILINE)
 
 
@@ -138,7 +138,8 @@ def proofs(scans: int) -> list[dict[str, Any]]:
 
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--seeds", type=int, nargs="+", default=[1, 2, 3])
+    parser.add_argument("--seeds", type=int, nargs="+", default=[1],
+                        help="Sample 1 takes half an hour each")
     parser.add_argument("--jobs", type=int, default=2, help="runs of nextpnr at once")
     parser.add_argument("--only", nargs="+", metavar="PROGRAM", help="of sample1, sample1-bits, sample2, sample3")
     parser.add_argument("--prove", type=int, metavar="SCANS", help="only prove programs of several clocks")

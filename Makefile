@@ -87,10 +87,10 @@ test-gate: ## the golden traces on the synthesised netlists, ECP5 and iCE40: rep
 	@$(VENV)/python scripts/gate_level.py run
 
 .PHONY: cov
-cov: ## which situations of the pipeline random and golden programs reach: reports/coverage.md; COUNT=
-	@scripts/setup.sh build
-	$(call cmake_build,build/release,$(RELEASE),--target coverage_functional)
-	@$(PYTHON) scripts/coverage.py build/release/tb/coverage/coverage_functional --programs $(COUNT)
+cov: ## what the tests reach of pipeline, hardware and C++: reports/coverage.md; COUNT= random programs
+	@scripts/setup.sh cov
+	$(call cmake_build,build/cov,-DRUNG_COVERAGE=ON -DRUNG_UNITY=ON,--target rung $$($(PYTHON) scripts/coverage.py targets))
+	@$(PYTHON) scripts/coverage.py run --programs $(COUNT) --jobs $(JOBS)
 
 .PHONY: reliability
 reliability: ## the controller with damaged programs, wrong frames, power cuts: reports/reliability.md

@@ -1,78 +1,154 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Functional coverage of the processors: run coverage_functional, write reports/coverage.md and coverage.json (`make cov`)."""
+"""Run the tests of build/cov and write reports/coverage.md and coverage.json, for `make cov`.
+
+usage: coverage.py targets                          print what it runs, to be built first
+       coverage.py run [--jobs N] [--programs N]    run them, write the reports
+       coverage.py report                           write the reports from the last run's counts
+
+Exit code 1 if a test fails, or if an exclusion of tb/coverage/exclusions.toml leaves nothing out; then no report is written.
+"""
 from __future__ import annotations
 
 import argparse
+import concurrent.futures
 import datetime
 import json
 import os
+import shutil
 import subprocess
 import sys
 import time
-from pathlib import Path
 from typing import Any
 
+from cov import cpp, exclusions, hardware, report
 from flow import tools
 
-RESULTS = tools.BUILD / "coverage"
+BUILD = tools.BUILD / "cov"
+RESULTS = tools.BUILD / "cov-results"
+EXCLUSIONS = tools.ROOT / "tb" / "coverage" / "exclusions.toml"
+# Folder under tb, program -> what its environment has besides: the long ones first
+PROGRAMS: dict[str, dict[str, str]] = {
+    "coverage/coverage_functional": {},  # RUNG_PROGRAMS: --programs
+    "compiler/unit_compiler": {},
+    "unit/unit_rtl": {},
+    "passes/cli_test": {},
+    "peripherals/unit_peripherals": {},
+    "golden/golden_test": {},
+    "controller/unit_line": {},
+    "firmware/unit_firmware_ecp5": {},
+    "flow_compile/flow_compile_test": {},
+    "wide/wide_random": {"RUNG_COUNT": "100"},
+    "host/client_test": {},
+    "link/unit_link": {},
+    "flowchart/unit_flowchart": {},
+    "flow/flow_test": {},
+    "controller/unit_scan": {},
+    "link/unit_panel": {},
+    "hardwired/hardwired_agree": {},
+    "hardwired/hardwired_verilog": {},
+    "hardwired/hardwired_exhaustive": {},
+    "passes/passes_test": {},
+    "wide_rtl/wide_rtl": {},
+    "wide/wide_corpus": {},
+    "bytecode/bytecode_programs": {},
+    "bytecode/unit_bytecode": {},
+    "view/view_power": {},
+    "view/view_session": {},
+    "host/host_test": {},
+    "prove/prove_corpus": {},
+    "prove/prove_faults": {"RUNG_COUNT": "20"},
+    "device/unit_device": {},
+    "controller/unit_plc_board": {},
+    "controller/unit_simulated": {},
+    "boards/unit_boards": {},
+    "agree/agree_random": {"RUNG_COUNT": "100"},
+    "agree/agree_ldmicro_random": {"RUNG_COUNT": "100"},
+    "agree/agree_ldmicro_c_corpus": {},
+    "fuzz/fuzz_replay": {},
+}
 
 
-def share(hit: int, of: int) -> str:
-    return f"{hit:,} of {of:,} ({100 * hit / of:.1f} %)"
+def run(program: str, more: dict[str, str]) -> float:
+    """Seconds. Raises FlowError if a test of it fails."""
+    folder, name = program.split("/")
+    log = tools.LOGS / f"cov-{name}.log"
+    start = time.monotonic()
+    with open(log, "w", encoding="utf-8") as out:
+        code = subprocess.run([str(BUILD / "tb" / program), "--gtest_brief=1"], cwd=BUILD / "tb" / folder, stdout=out,
+                              stderr=subprocess.STDOUT, check=False,
+                              env={**os.environ, **PROGRAMS[program], **more, "RUNG_COVERAGE": str(RESULTS)}).returncode
+    if code != 0:
+        raise tools.FlowError(f"{name} failed (log: {log})")
+    seconds = round(time.monotonic() - start, 1)
+    tools.say(f"{name}: {seconds} s")
+    return seconds
 
 
-def render(report: dict[str, Any]) -> str:
-    lines = ["# Coverage: the pipeline's situations", "",
-             f"Made by {report['made_by']} on {report['date']} in {report['seconds']} s on a shared machine, with "
-             f"{report['verilator']}.", "",
-             "A situation is opcode x slot x gate (none, always, open, shut) x operand x where the operand comes from: a constant, N0, the "
-             "memory, or a write 1 to 5 steps before, of the same or the other slot, carried out or stopped by its gate; a write of "
-             "the other slot in the step itself; for ix, whether it was set just before. They are counted over what retires on the RTL, in "
-             f"{report['programs']} random programs of {report['steps']} steps (seeds from 1 on) in each configuration, each checked "
-             "against the step model, and in the golden programs. What cannot be is left out by the rules of `FunctionalCoverage::can_be` "
-             "(`tb/coverage/functional.hpp`); a situation that comes up against them fails the test.", "",
-             "| processor | scans of random programs | of golden programs | situations reached |", "|---|--:|--:|---|"]
-    lines += [f"| MPU{each['mpu']} | {each['random_scans']:,} | {each['golden_scans']:,} | {share(each['hit'], each['all'])} |"
-              for each in report["mpus"]]
-    lines += ["", "## By opcode", "", "| opcode | " + " | ".join(f"MPU{each['mpu']}" for each in report["mpus"]) + " |",
-              "|---|" + "--:|" * len(report["mpus"])]
-    opcodes = sorted({opcode for each in report["mpus"] for opcode in each["opcodes"]})
-    for opcode in opcodes:
-        counts = [each["opcodes"].get(opcode) for each in report["mpus"]]
-        lines.append(f"| {opcode} | " + " | ".join(f"{count['hit']} of {count['all']}" if count else "" for count in counts) + " |")
-    holes = [hole for each in report["mpus"] for hole in each["holes"]]
-    lines += ["", f"## Holes: {len(holes)}", "", *(f"- {hole}" for hole in holes)]
-    return "\n".join(lines) + "\n"
+def run_all(jobs: int, programs: int) -> None:
+    shutil.rmtree(RESULTS, ignore_errors=True)
+    RESULTS.mkdir(parents=True)
+    tools.LOGS.mkdir(parents=True, exist_ok=True)
+    for counts in BUILD.rglob("*.gcda"):
+        counts.unlink()
+    more = {"RUNG_PROGRAMS": str(programs)}
+    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+        seconds = dict(zip((name.split("/")[1] for name in PROGRAMS), pool.map(lambda name: run(name, more), PROGRAMS)))
+    tools.write_file(RESULTS / "seconds.json", json.dumps(seconds))
 
 
-def write(counts: dict[str, Any], made_by: str, seconds: float) -> None:
+def of_hardware() -> dict[str, Any]:
+    """Counts by file and in all, exclusions and holes. Raises FlowError for an exclusion that leaves nothing out."""
+    counts = hardware.read(sorted(RESULTS.glob("*.dat")))
+    holes = [point for point, count in counts.items() if not hardware.covered(point, count)]
+    table = exclusions.load(EXCLUSIONS)
+    left = set(exclusions.apply(table, tools.ROOT, holes))
+    if idle := [f"{entry.file}: {entry.name.pattern}" for entry in table if not entry.points]:
+        raise tools.FlowError(f"{EXCLUSIONS}: these leave nothing out: {', '.join(idle)}")
+    excluded = {point for entry in table for point in entry.points}
+
+    def numbers(points: list[hardware.Point]) -> dict[str, Any]:
+        rest = [point for point in points if point not in excluded]
+        found: dict[str, Any] = {"excluded": len(points) - len(rest)}
+        for kind in hardware.ENOUGH:
+            of_kind = [point for point in rest if point.kind == kind]
+            found[kind] = {"all": len(of_kind), "hit": sum(point not in left for point in of_kind)}
+        return found
+
+    files = sorted({point.file for point in counts})
+    return {"files": {file: numbers([point for point in counts if point.file == file]) for file in files},
+            "total": numbers(list(counts)),
+            "exclusions": [{"file": each.file, "kinds": each.kinds, "name": each.name.pattern, "reason": each.reason,
+                            "points": len(each.points)} for each in table],
+            "holes": hardware.names(left)}
+
+
+def write() -> None:
     verilator = subprocess.run(["verilator", "--version"], capture_output=True, text=True, check=True).stdout
-    report = {"made_by": made_by, "date": datetime.date.today().isoformat(), "seconds": seconds,
-              "verilator": " ".join(verilator.split()[:2]), **counts}
-    tools.write_file(tools.REPORTS / "coverage.json", json.dumps(report, indent=1) + "\n")
-    tools.write_file(tools.REPORTS / "coverage.md", render(report))
+    made: dict[str, Any] = {
+        "made_by": "make cov", "date": datetime.date.today().isoformat(),
+        "tools": {"verilator": " ".join(verilator.split()[:2]), "gcovr": cpp.version()},
+        "programs": json.loads((RESULTS / "seconds.json").read_text()),
+        "functional": json.loads((RESULTS / "functional.json").read_text()),
+        "hardware": of_hardware(),
+        "cpp": cpp.summary(cpp.collect(BUILD, RESULTS / "gcovr.json"))}
+    tools.write_file(tools.REPORTS / "coverage.json", json.dumps(made, indent=1) + "\n")
+    tools.write_file(tools.REPORTS / "coverage.md", report.render(made))
     tools.say("wrote reports/coverage.md and coverage.json")
 
 
 def main() -> int:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("test", type=Path, help="coverage_functional")
-    parser.add_argument("--programs", type=int, default=2000)
-    parser.add_argument("--counted", type=float, metavar="SECONDS",
-                        help="no run: TEST is the functional.json that one has left, which took so long")
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("what", choices=("targets", "run", "report"))
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--programs", type=int, default=2000, help="random ones, of coverage_functional")
     arguments = parser.parse_args()
-    if arguments.counted is not None:
-        write(json.loads(arguments.test.read_text()), "`coverage_functional` by hand", arguments.counted)
+    if arguments.what == "targets":
+        print(" ".join(program.split("/")[1] for program in PROGRAMS))
         return 0
-    RESULTS.mkdir(parents=True, exist_ok=True)
-    start = time.monotonic()
-    code = subprocess.run([str(arguments.test.resolve()), "--gtest_brief=1"], check=False,
-                          env={**os.environ, "RUNG_PROGRAMS": str(arguments.programs), "RUNG_COVERAGE": str(RESULTS)}).returncode
-    if code != 0:
-        raise tools.FlowError("coverage_functional failed")
-    counts = json.loads((RESULTS / "functional.json").read_text())
-    write(counts, f"`make cov COUNT={counts['programs']}`", round(time.monotonic() - start, 1))
+    if arguments.what == "run":
+        run_all(arguments.jobs, arguments.programs)
+    write()
     return 0
 
 

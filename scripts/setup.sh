@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Install what a group of make targets needs, once, and say what is done.
 #
-# usage: setup.sh build|test|lint|flow|prog|bench|fuzz|cells|chart
+# usage: setup.sh build|test|lint|flow|prog|bench|fuzz|cells|chart|cov
 #
 #   build  C++ compiler, CMake, Verilator, the C++ libraries; AVR compiler and simulator, which
 #          the tests take                                             (make build, sim, test)
@@ -15,6 +15,7 @@
 #   fuzz   build, and clang with libFuzzer                             (make fuzz)
 #   cells  build, flow, a standard-cell library and OpenSTA             (make cells)
 #   chart  build, the RISC-V compiler, matplotlib in build/chart        (make tradeoff)
+#   cov    build, and gcovr                                             (make cov)
 #
 # Debian packages are installed as root or through sudo, only those that are missing. The Python
 # environments are build/venv, with the versions of requirements.txt, build/clients, with those of
@@ -137,7 +138,7 @@ browser() {
   printf '%s\n' "$want" >"$directory/.requirements"
 }
 
-[ $# = 1 ] || fail "usage: setup.sh build|test|lint|flow|prog|bench|fuzz|cells|chart"
+[ $# = 1 ] || fail "usage: setup.sh build|test|lint|flow|prog|bench|fuzz|cells|chart|cov"
 case $1 in
   build) debian "${build_packages[@]}" ;;
   test)
@@ -171,5 +172,6 @@ case $1 in
     debian "${build_packages[@]}" "${venv_packages[@]}" gcc-riscv64-unknown-elf
     environment "$build/chart" "$root/scripts/chart/requirements.txt" "matplotlib" true
     ;;
-  *) fail "unknown group '$1': build, test, lint, flow, prog, bench, fuzz, cells or chart" ;;
+  cov) debian "${build_packages[@]}" gcovr ;;
+  *) fail "unknown group '$1': build, test, lint, flow, prog, bench, fuzz, cells, chart or cov" ;;
 esac

@@ -94,9 +94,16 @@ def gate(report: dict[str, Any]) -> Verdict:
 
 
 def coverage(report: dict[str, Any]) -> Verdict:
-    mpus = report["mpus"]
-    return True, ", ".join(f"MPU{mpu['mpu']} {mpu['hit']} of {mpu['all']}" for mpu in mpus) + (
-        f" situations of the pipeline (opcode, operand, distance, slot, gate); the {sum(len(mpu['holes']) for mpu in mpus)} holes are listed by name")
+    mpus, hardware = report["functional"]["mpus"], report["hardware"]["total"]
+    folders = report["cpp"]["folders"].values()
+
+    def share(kind: str) -> str:
+        return f"{100 * sum(each[f'{kind}_hit'] for each in folders) / sum(each[kind] for each in folders):.1f} %"
+    return True, (
+        ", ".join(f"MPU{mpu['mpu']} {mpu['hit']} of {mpu['all']}" for mpu in mpus)
+        + " situations of the pipeline (opcode, operand, distance, slot, gate); of the hardware "
+        + ", ".join(f"{100 * hardware[kind]['hit'] / hardware[kind]['all']:.1f} % of {kind}s" for kind in ("line", "toggle"))
+        + f"; of the C++ {share('lines')} of lines, {share('branches')} of branches; the holes are listed by name")
 
 
 CHECKS = {

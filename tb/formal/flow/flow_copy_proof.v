@@ -121,9 +121,9 @@ module flow_copy_proof (
   wire device_here = host_valid && host_addr == device;
   always @(posedge clk_i) begin
     if (mem_valid && mem_write && mem_addr == place) word_q <= mem_wdata;
-    word_read_q <= mem_valid && !mem_write && mem_addr == place;
+    word_read_q  <= mem_valid && !mem_write && mem_addr == place;
     point_read_q <= map_read && map_point == point;
-    map_read_q <= map_read;
+    map_read_q   <= map_read;
     if (device_here && host_write) value_q <= host_data;
     read_q <= {read_q[6:0], host_valid && !host_write};
     device_read_q <= {device_read_q[6:0], device_here && !host_write};
@@ -142,7 +142,8 @@ module flow_copy_proof (
 
   // ---- what the copy is to do with them ---------------------------------------------------------------
   wire [15:0] offset = mapped_q ? point - first_q : {1'b0, device - first_q[14:0]};
-  wire of_device = offset < {10'd0, count_q};  // it is one of the copy's; of a mapped one, its point
+  // It is one of the copy's; of a mapped one, its point.
+  wire of_device = offset < {10'd0, count_q};
   wire of_word = place[9:5] == block_q && {1'b0, place[4:0]} < count_q;
   wire same = of_device && of_word && offset[4:0] == place[4:0];
   wire exists = !mapped_q || there;
@@ -153,7 +154,7 @@ module flow_copy_proof (
   reg put_here_q;
   reg [15:0] put_value_q;
   always @(posedge clk_i) begin
-    put_here_q <= put_here && begun_q && !stop_i && rst_ni;
+    put_here_q  <= put_here && begun_q && !stop_i && rst_ni;
     put_value_q <= put_data_q;
   end
   always @* begin
@@ -202,7 +203,8 @@ module flow_copy_proof (
         assert (peek_access_last == (!to_block_q && issued == count_q + 6'd1));
         assert (peek_read == (to_block_q && issued >= 6'd2 && issued <= count_q + 6'd1));
         for (k = 0; k < 8; k = k + 1) begin
-          assert (peek_await[k] == (to_block_q && issued >= k[5:0] + 6'd3 && issued <= count_q + k[5:0] + 6'd2));
+          assert (peek_await[k] == (to_block_q && issued >= k[5:0] + 6'd3 &&
+              issued <= count_q + k[5:0] + 6'd2));
         end
         assert (peek_answered == (to_block_q && clock_q == last));
         assert (point_read_q == (mapped_q && of_device && clock_q == offset[5:0] + 6'd2));
@@ -221,7 +223,8 @@ module flow_copy_proof (
           if (answered > {1'b0, place[4:0]}) assert (word_q == (exists ? value_q : 16'd0));
         end
         if (!to_block_q && same) begin
-          if (exists && clock_q == {1'b0, place[4:0]} + 6'd3) assert (host_valid && host_data == word_q && host_addr == device);
+          if (exists && clock_q == {1'b0, place[4:0]} + 6'd3)
+            assert (host_valid && host_data == word_q && host_addr == device);
           if (exists && clock_q > {1'b0, place[4:0]} + 6'd3) assert (value_q == word_q);
         end
       end else begin
@@ -229,13 +232,17 @@ module flow_copy_proof (
         assert (!peek_read && peek_await == 8'd0 && !peek_answered && peek_unanswered == 6'd0);
         assert (host_valid == put_q);
       end
-      if (put_q) assert (host_valid && host_write && host_addr == put_first_q[14:0] && host_data == put_data_q);
+      if (put_q)
+        assert (host_valid && host_write && host_addr == put_first_q[14:0] &&
+            host_data == put_data_q);
     end
   end
 
   always @* begin
-    cover (begun_q && done && to_block_q && same && exists && mapped_q && place[4:0] == 5'd2 && word_q == 16'h1234);
-    cover (begun_q && done_q && !to_block_q && same && exists && mapped_q && place[4:0] == 5'd2 && value_q == 16'h1234);
+    cover (begun_q && done && to_block_q && same && exists && mapped_q && place[4:0] == 5'd2 &&
+        word_q == 16'h1234);
+    cover (begun_q && done_q && !to_block_q && same && exists && mapped_q &&
+        place[4:0] == 5'd2 && value_q == 16'h1234);
     cover (begun_q && done && to_block_q && same && !exists);
   end
 

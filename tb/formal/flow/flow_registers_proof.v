@@ -134,7 +134,8 @@ module flow_registers_proof (
         `RUNG_REG_FLOW_HELD: {known_q, due_q} <= {watched == 3'd1 && cold_q == 4'd0, counted};
         `RUNG_REG_FLOW_FAILED: {known_q, due_q} <= {watched == 3'd2 && cold_q == 4'd0, counted};
         `RUNG_REG_FLOW_EVENTS: {known_q, due_q} <= {watched == 3'd3 && cold_q == 4'd0, counted};
-        `RUNG_REG_FLOW_EVENT_WAITS: {known_q, due_q} <= {watched == 3'd4 && cold_q == 4'd0, counted};
+        `RUNG_REG_FLOW_EVENT_WAITS:
+        {known_q, due_q} <= {watched == 3'd4 && cold_q == 4'd0, counted};
         `RUNG_REG_FLOW_LATE: begin
           {known_q, due_q} <= {watched == 3'd5 && cold_q == 4'd0, counted + late_i};
         end
@@ -200,8 +201,10 @@ module flow_registers_proof (
   end
 
   always @* begin
-    cover (begun_q && known_q && rdata == 16'd2 && cold_q == 4'd0 && watched == 3'd0 && events_q == 16'd2);
-    cover (begun_q && rounds_q == 32'd2 && most_q == 32'd4 && least_q == 16'd1 && longest_q == 16'd3);
+    cover (begun_q && known_q && rdata == 16'd2 && cold_q == 4'd0 && watched == 3'd0 &&
+        events_q == 16'd2);
+    cover (begun_q && rounds_q == 32'd2 && most_q == 32'd4 && least_q == 16'd1 &&
+        longest_q == 16'd3);
   end
 
 endmodule

@@ -39,11 +39,11 @@ module flow_tables_proof (
 );
 
   (* anyconst *) wire [10:0] step;
-  (* anyconst *) wire [7:0] transfer;
-  (* anyconst *) wire [3:0] board;
+  (* anyconst *) wire [ 7:0] transfer;
+  (* anyconst *) wire [ 3:0] board;
 
   wire [15:0] entry, step_end, resource, first, count, head;
-  wire [7:0] before, after;
+  wire [7:0] step_before, step_after;
   wire step_break;
   wire [1:0] enable, panel_parity;
   wire [3:0] unit, attributes;
@@ -57,8 +57,8 @@ module flow_tables_proof (
       .step_i             (step_i),
       .step_entry_o       (entry),
       .step_end_o         (step_end),
-      .step_before_o      (before),
-      .step_after_o       (after),
+      .step_before_o      (step_before),
+      .step_after_o       (step_after),
       .step_break_o       (step_break),
       .transfer_read_i    (transfer_read_i),
       .transfer_i         (transfer_i),
@@ -128,7 +128,7 @@ module flow_tables_proof (
       end
       if (!begun_q) transfer_known_q[k] <= 1'b0;
       else if (transfer_loads && load_addr_i[1:0] == k[1:0]) begin
-        transfer_known_q[k] <= 1'b1;
+        transfer_known_q[k]  <= 1'b1;
         transfer_q[16*k+:16] <= load_data_i;
       end
     end
@@ -141,7 +141,7 @@ module flow_tables_proof (
   end
 
   // ---- its breakpoint: set by its register, taken away by its load; there for every read from the second clock on ---------
-  wire sets = bus_write && addr_i == `RUNG_REG_FLOW_BREAK;
+  wire sets = addr_i == `RUNG_REG_FLOW_BREAK && bus_write;
   reg [10:0] break_step_q;
   reg break_known_q, break_q;  // since its last change
   reg changing_q;  // it was changed in the clock before, or is about to
@@ -188,8 +188,8 @@ module flow_tables_proof (
     if (begun_q) begin
       if (step_seen_q[0]) assert (entry == step_row_q[15:0]);
       if (step_seen_q[1]) assert (step_end == step_row_q[31:16]);
-      if (step_seen_q[2]) assert (before == step_row_q[39:32]);
-      if (step_seen_q[3]) assert (after == step_row_q[55:48]);
+      if (step_seen_q[2]) assert (step_before == step_row_q[39:32]);
+      if (step_seen_q[3]) assert (step_after == step_row_q[55:48]);
       if (break_seen_q) assert (step_break == break_row_q);
       if (transfer_seen_q[0]) assert (resource == transfer_row_q[15:0]);
       if (transfer_seen_q[1]) assert (first == transfer_row_q[31:16]);
@@ -237,8 +237,10 @@ module flow_tables_proof (
   always @(posedge clk_i) recent_q <= sets || steps_write_i;
 
   always @* begin
-    cover (begun_q && step_seen_q == 4'hf && break_seen_q && step_break && entry == 16'h1234 && after == 8'd9);
-    cover (begun_q && transfer_seen_q == 4'hf && head == 16'h1234 && board_known_q && board_q == 4'd5);
+    cover (begun_q && step_seen_q == 4'hf && break_seen_q && step_break && entry == 16'h1234
+           && step_after == 8'd9);
+    cover (begun_q && transfer_seen_q == 4'hf && head == 16'h1234 && board_known_q &&
+        board_q == 4'd5);
   end
 
 endmodule

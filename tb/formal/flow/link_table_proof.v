@@ -99,11 +99,13 @@ module link_table_proof (
   always @* if (!begun_q) assume (!rst_ni);
 `ifdef RUNG_NARROW
   always @* begin
-    assume (rst_ni == begun_q && unit == 4'd7 && block == 5'd17 && word == 2'd3 && deadline_i == 16'd0);
+    assume (rst_ni == begun_q && unit == 4'd7 && block == 5'd17 && word == 2'd3 &&
+        deadline_i == 16'd0);
     assume (!event_given_i && req_block_i == block && reply_block_i == block && block_i == block);
     assume (cold_q == 6'd0 || !(req_valid_i || reply_valid_i || sent_i || ended_i || read_i));
     assume (req_first_i == 16'd0 && req_board_i == 8'd0 && !req_write_i && req_count_i == 6'd1);
-    assume (reply_tag_i == 8'd0 && reply_status_i == 8'd0 && !reply_write_i && reply_count_i == 6'd1);
+    assume (reply_tag_i == 8'd0 && reply_status_i == 8'd0 && !reply_write_i &&
+        reply_count_i == 6'd1);
   end
 `endif
 
@@ -131,7 +133,8 @@ module link_table_proof (
   reg queued_q;
   reg lower_q;
   reg nobody_q;
-  reg [63:0] words_q;  // what its words have to be, word 0 highest; word 0 is filled in when it is written
+  // What its words have to be, word 0 highest; word 0 is filled in when it is written.
+  reg [63:0] words_q;
   reg [6:0] use_q;  // of its next request: anything at first
   reg event_known_q;
   reg [3:0] event_use_q;
@@ -194,7 +197,7 @@ module link_table_proof (
   reg [15:0] means;
   reg [15:0] due;
   always @* begin
-    due = word == 2'd0 ? deadline_i : words_q[16*(2'd3-word)+:16];
+    due   = word == 2'd0 ? deadline_i : words_q[16*(2'd3-word)+:16];
     means = 16'hffff;
     if (word == 2'd1 && nobody_q) means = 16'h8000;
     if (word == 2'd3 && !comes_reply_q) means = 16'hff7f;
@@ -228,15 +231,17 @@ module link_table_proof (
   wire [2:0] entered = peek_entered[3*block+:3];
   wire [1:0] left = peek_left[2*block+:2];
   always @* begin
-    if (begun_q && !warm_q) assume (peek_use[7*block+:7] == use_q);  // whatever the first reset leaves
+    if (begun_q && !warm_q)
+      assume (peek_use[7*block+:7] == use_q);  // whatever the first reset leaves
     if (begun_q) begin
       assert (cold_q <= 6'd32 && since_q <= 3'd4 && (cold_q == 6'd0 || since_q == 3'd0));
       assert (peek_clearing == (cold_q != 6'd0));
       if (cold_q != 6'd0) assert ({1'b0, peek_clear} == 6'd32 - cold_q);
       assert (peek_busy == (since_q != 3'd0));
       if (cold_q == 6'd0) assert (peek_index == (since_q == 3'd0 ? 2'd0 : since_q[1:0] - 2'd1));
-      if (cold_q == 6'd0) assert ((entered[1:0] ^ left) == {open_q, queued_q});
-      else if (block < peek_clear) assert (entered[1:0] == left);
+      if (cold_q == 6'd0)
+        assert ((entered[1:0] ^ left) == {open_q, queued_q});
+        else if (block < peek_clear) assert (entered[1:0] == left);
       if (cold_q != 6'd0) assert (!open_q && !queued_q);
       if (queued_q && !nobody_q) assert (entered[2] == lower_q);
       if (open_q || queued_q) assert (!(since_q != 3'd0 && comes_q));
@@ -252,8 +257,9 @@ module link_table_proof (
           if (nobody_q) assert (words_q[47]);
           assert (peek_first == words_q[31:16]);
           assert (peek_tag[15:8] == words_q[15:8]);
-          if (!comes_reply_q) assert (peek_tag[6:0] == words_q[6:0] && words_q[6:0] == use_q);
-          else if (known_use_q) assert (peek_tag[6:3] == words_q[6:3]);
+          if (!comes_reply_q)
+            assert (peek_tag[6:0] == words_q[6:0] && words_q[6:0] == use_q);
+            else if (known_use_q) assert (peek_tag[6:3] == words_q[6:3]);
         end
       end
       if (known_q) assert ((peek_word & means_q) == (word_q & means_q));

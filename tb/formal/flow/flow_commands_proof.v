@@ -382,7 +382,8 @@ module flow_commands_proof (
         place = s[2:0] - peek_read;
         if ({1'b0, place} < held_q) begin
           assert (owned_q[peek_ring[3*s+:3]]);
-          assert ((peek_ring[3*s+:3] == event_number) == (event_q != NONE && ahead_q == {1'b0, place}));
+          assert ((peek_ring[3*s+:3] == event_number) == (event_q != NONE &&
+              ahead_q == {1'b0, place}));
           for (t = 0; t < s; t = t + 1) begin
             if ({1'b0, t[2:0] - peek_read} < held_q) begin
               assert (peek_ring[3*s+:3] != peek_ring[3*t+:3]);

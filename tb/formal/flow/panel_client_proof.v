@@ -293,6 +293,12 @@ module panel_client_proof (
       // Late answers.
       assert (ever_q == peek_known);
       if (late_q && !ends_now) assert (!peek_synced && (unanswered_q == peek_probes || ever_q));
+      if (late_q && ends_now) begin
+        assert (!begun_frame_q && (no_reply || done_status == `RUNG_FLOW_STATUS_REFUSED));
+        if (in_vain) assert (peek_probes && (forgets || !peek_synced));
+        else assert (!peek_synced && (unanswered_q == peek_probes || ever_q));
+      end
+      if (no_reply && begun_frame_q) assert (!peek_synced && !peek_probes);
       // The frame that comes.
       if (peek_state == SEND || peek_state == DRAIN) assert (!peek_open);
       if (peek_state == AWAIT && under_way && peek_open && peek_form_right) begin

@@ -230,8 +230,9 @@ module link_dispatch_proof (
   end
 
   wire read = !words_q[46];
-  wire [3:0] own_type = block_event ? (read ? `RUNG_LINK_TYPE_READ_REPLY : `RUNG_LINK_TYPE_WRITE_REPLY) :
-      (read ? `RUNG_LINK_TYPE_READ : `RUNG_LINK_TYPE_WRITE);
+  wire [3:0] request_type = read ? `RUNG_LINK_TYPE_READ : `RUNG_LINK_TYPE_WRITE;
+  wire [3:0] reply_type = read ? `RUNG_LINK_TYPE_READ_REPLY : `RUNG_LINK_TYPE_WRITE_REPLY;
+  wire [3:0] own_type = block_event ? reply_type : request_type;
   // A reply has words only if it is one of a read, and done.
   wire [7:0] own_count = block_event && (!read || words_q[23:16] != 8'd0) ? 8'd0 :
       {2'd0, words_q[45:40]};
@@ -257,7 +258,8 @@ module link_dispatch_proof (
       if (leaves && table_ended) assert (!commits);
       assert (late == late_q);
       // Into one buffer, that is free, with all its bytes.
-      assert ((lane_commit & ~lane_free_q) == 4'd0 && (lane_commit & (lane_commit - 4'd1)) == 4'd0);
+      assert ((lane_commit & ~lane_free_q) == 4'd0);
+      assert ((lane_commit & (lane_commit - 4'd1)) == 4'd0);
       if (lane_write) assert (lane_free_q[lane_addr[8:7]]);
       if ((leaves && commits) || sent) assert (written_q == {2'd0, lane_length});
       if (commits && leaves) begin
@@ -281,7 +283,7 @@ module link_dispatch_proof (
       if (answered) begin
         assert (record_tag == {words_q[2:0], block} &&
             record_from == {words_q[6:3], words_q[35:32]});
-        assert (record_type == (read ? `RUNG_LINK_TYPE_READ_REPLY : `RUNG_LINK_TYPE_WRITE_REPLY));
+        assert (record_type == {4'd0, reply_type});
         if (read) assert (record_count == (record_q[15:8] == 8'd0 ? words_q[45:40] : 6'd0));
       end
       if (ended && !answered && peek_state != 4'd3) assert (over_q);
@@ -327,7 +329,8 @@ module link_dispatch_proof (
     else if (!mem_valid || mem_ready_i) clocks_q <= clocks_q + 9'd1;
   end
   // The head as it is when it has been turned once round.
-  wire [127:0] turned = {peek_head, peek_head} >> (peek_state == OUT ? {peek_index[2:0], 3'd0} : 6'd0);
+  wire [5:0] turn = peek_state == OUT ? {peek_index[2:0], 3'd0} : 6'd0;
+  wire [127:0] turned = {peek_head, peek_head} >> turn;
   wire [63:0] head = turned[63:0];
   wire [5:0] count = head[5:0];
   wire [8:0] words = 9'd5 * {3'd0, count};
@@ -445,7 +448,7 @@ module link_dispatch_proof (
       end
       if (mine && (peek_state != MATCH || peek_index >= 7'd2) && peek_state != HEAD_DONE) begin
         assert (open_q && record_from[3:0] == words_q[35:32]);
-        assert (record_type == (read ? `RUNG_LINK_TYPE_READ_REPLY : `RUNG_LINK_TYPE_WRITE_REPLY));
+        assert (record_type == {4'd0, reply_type});
         if (read) assert (record_count == (record_q[15:8] == 8'd0 ? words_q[45:40] : 6'd0));
       end
       if (mine && (peek_state != MATCH || peek_index >= 7'd3) && peek_state != HEAD_DONE) begin
@@ -460,7 +463,7 @@ module link_dispatch_proof (
 
   always @* begin
     cover (begun_q && commits && leaves && record_count == 6'd1 && record_words);
-    cover (begun_q && sent && block_event && own_count == 8'd1);
+    cover (begun_q && sent && !read && own_count == 8'd1);
     cover (begun_q && answered && read && record_count == 6'd1);
     cover (begun_q && given_q && event_write && event_count == 6'd1);
     cover (begun_q && told && done_status == `RUNG_FLOW_STATUS_NO_REPLY);

@@ -317,9 +317,8 @@ module panel_client_proof (
     end
   end
   always @* begin
-    cover (begun_q && ends_now && done_status == `RUNG_FLOW_STATUS_DONE);
-    cover (begun_q && no_reply && late_q);
-    cover (begun_q && echoed && late_q);
+    cover (begun_q && no_reply && its_turn && timeout == 16'd1);
+    cover (begun_q && ends_now && its_turn && !possible && waiting == 6'd2);
   end
 
 endmodule

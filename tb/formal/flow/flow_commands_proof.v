@@ -196,7 +196,8 @@ module flow_commands_proof (
   wire completes = completes_i && asked_out_q;
   always @(posedge clk_i) begin
     if (accepted) begin
-      {asked_write_q, asked_board_q, asked_first_q} <= {event_write_i, event_board_i, event_first_i};
+      {asked_write_q, asked_board_q} <= {event_write_i, event_board_i};
+      asked_first_q <= event_first_i;
       {asked_count_q, asked_from_q, asked_tag_q} <= {event_count_i, event_from_i, event_tag_i};
     end
     if (!rst_ni) event_q <= NONE;

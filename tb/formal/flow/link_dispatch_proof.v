@@ -271,7 +271,8 @@ module link_dispatch_proof (
       end
       if (sent) begin
         assert (commits && queued_q && out_q == own_frame);
-        assert (lane_commit == (lower_q ? (block_event ? 4'd4 : 4'd8) : (block_event ? 4'd1 : 4'd2)));
+        if (lower_q) assert (lane_commit == (block_event ? 4'd4 : 4'd8));
+        else assert (lane_commit == (block_event ? 4'd1 : 4'd2));
         assert (reply_done == block_event);
         if (reply_done) assert (reply_done_block == block);
       end
@@ -293,7 +294,8 @@ module link_dispatch_proof (
       if (event_valid) assert (event_block_valid_i);
       if (given_q) begin
         assert (event_valid && event_write == (given_record_q[42:40] == `RUNG_LINK_TYPE_WRITE));
-        assert ({event_board, event_first, event_count} == {given_record_q[31:8], given_record_q[5:0]});
+        assert ({event_board, event_first} == given_record_q[31:8]);
+        assert (event_count == given_record_q[5:0]);
         assert (event_from == {4'd0, given_record_q[51:48]} && event_tag == given_record_q[39:32]);
       end
     end
@@ -404,7 +406,8 @@ module link_dispatch_proof (
         for (k = 1; k < 9; k = k + 1) begin
           if (peek_index == k[6:0]) begin
             assert (head_read_q && head_index_q == k[2:0] - 3'd1);
-            assert ((peek_head & ~(64'hffffffffffffffff << 8 * (k - 1))) == (record_q >> (72 - 8 * k)));
+            assert ((peek_head & ~(64'hffffffffffffffff << 8 * (k - 1))) ==
+                    (record_q >> (72 - 8 * k)));
           end
         end
       end

@@ -129,7 +129,8 @@ module panel_client_proof (
     if (!rst_ni) live_q <= 1'b0;
     else if (accepted) live_q <= 1'b1;
     else if (completes && its_turn) live_q <= 1'b0;
-    if (accepted) {block_q, write_q, first_q, count_q} <= {req_block_i, req_write_i, req_first_i, req_count_i};
+    if (accepted) {block_q, write_q} <= {req_block_i, req_write_i};
+    if (accepted) {first_q, count_q} <= {req_first_i, req_count_i};
     if (accepted) elapsed_q <= {16'd0, millisecond_i};
     else elapsed_q <= elapsed_q + {16'd0, millisecond_i};
     if (!its_turn || !(over || !possible)) turn_q <= 3'd0;
@@ -269,7 +270,9 @@ module panel_client_proof (
       if (live_q && !under_way) begin
         assert (peek_waiting[44*watched[4:0]+:44] == {due, block_q, write_q, first_q, count_q});
       end
-      if (under_way) assert ({peek_deadline, peek_request} == {due, block_q, write_q, first_q, count_q});
+      if (under_way) begin
+        assert (peek_deadline == due && peek_request == {block_q, write_q, first_q, count_q});
+      end
       if (peek_state >= SEND && peek_state <= AWAIT) begin
         assert (peek_request[5:0] >= 6'd1 && peek_request[5:0] <= `RUNG_FLOW_BLOCK_WORDS);
       end
@@ -302,7 +305,8 @@ module panel_client_proof (
       // The frame that comes.
       if (peek_state == SEND || peek_state == DRAIN) assert (!peek_open);
       if (peek_state == AWAIT && under_way && peek_open && peek_form_right) begin
-        if (rx_length_q >= 7'd3) assert (rx_2_q == (write_q ? first_q[15:8] : {1'b0, count_q, 1'b0}));
+        if (write_q && rx_length_q >= 7'd3) assert (rx_2_q == first_q[15:8]);
+        if (!write_q && rx_length_q >= 7'd3) assert (rx_2_q == {1'b0, count_q, 1'b0});
         if (write_q && rx_length_q >= 7'd4) assert (rx_3_q == first_q[7:0]);
         if (write_q && rx_length_q >= 7'd5) assert (rx_4_q == 8'd0);
         if (write_q && rx_length_q >= 7'd6) assert (rx_5_q == {2'd0, count_q});

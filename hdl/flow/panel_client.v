@@ -11,9 +11,10 @@
 //
 // Late answers: an answer in Modbus RTU does not say which request it belongs to. After a request that has got none,
 // the next one therefore has a probe before it, FC 8 (return query data), and is sent only after the probe's
-// answer, an exception will do: a server answers in order, so that nothing older can come any more. A panel that
-// has once answered a probe always has to, until the reset. One that has not may not know FC 8 at all: two probes without
-// an answer, each as long as its request's timeout, have to do. A reset ends before a program is loaded; that takes longer
+// answer, an exception will do: a server answers in order, so that nothing older can come any more. Each probe has a
+// number, which its echo brings back: one that was sent before the request says nothing of it. A panel that has once
+// answered a probe always has to, until the reset. One that has not may not know FC 8 at all: two probes without an
+// answer, each as long as its request's timeout, have to do. A reset ends before a program is loaded; that takes longer
 // than any panel.
 `default_nettype none
 `include "rung_flow.vh"
@@ -68,6 +69,7 @@ module panel_client #(
   localparam [6:0] HEAD_BYTES = 7'd6;  // unit, function, first, count
   localparam [6:0] FIRST_DATA = 7'd7;
   localparam [6:0] COUNT_AT = 7'd2;
+  localparam [6:0] NUMBER_AT = 7'd4;  // of a probe
   localparam [6:0] FIRST_WORD = 7'd3;
   localparam [6:0] EXCEPTION_BYTES = 7'd5;
   localparam [6:0] WRITTEN_BYTES = 7'd8;
@@ -192,6 +194,7 @@ module panel_client #(
 
   // ---- sending ----
   reg synced_q;  // no answer to an older request can come
+  reg [7:0] probe_q;  // number of the last probe
   reg fetched_q;  // the word to send is in mem_rdata_i
   reg [6:0] index_q;
   wire crc_busy;
@@ -214,7 +217,7 @@ module panel_client #(
       3'd1: head_byte = {1'b0, function_code};
       3'd2: head_byte = synced_q ? first_q[15:8] : 8'd0;
       3'd3: head_byte = synced_q ? first_q[7:0] : 8'd0;
-      3'd4: head_byte = 8'd0;
+      3'd4: head_byte = synced_q ? 8'd0 : probe_q;
       3'd5: head_byte = {2'd0, count_q};
       default: head_byte = {1'b0, count_q, 1'b0};
     endcase
@@ -225,6 +228,8 @@ module panel_client #(
       !data_byte ? head_byte : data_index[0] ? mem_rdata_i[7:0] : mem_rdata_i[15:8];
 
   always @(posedge clk_i) begin
+    if (!rst_ni) probe_q <= 8'd0;
+    else if (begin_sending && !synced_q) probe_q <= probe_q + 8'd1;
     if (!sending) index_q <= 7'd0;
     else if (sent) index_q <= index_q + 7'd1;
     if (!sending || (sent && data_byte && data_index[0])) fetched_q <= 1'b0;
@@ -236,6 +241,7 @@ module panel_client #(
   reg spoiled_q;
   reg unit_right_q;
   reg form_right_q;
+  reg number_right_q;  // of a probe's echo
   reg [7:0] function_q;
   reg [6:0] length_q;
   reg [15:0] word_q;
@@ -280,6 +286,7 @@ module panel_client #(
       spoiled_q <= (open_q && spoiled_q) || rx_error || crc_busy || place == TOO_LONG || store_q;
       if (place == 7'd0) unit_right_q <= rx_data == unit_i;
       if (place == 7'd1) function_q <= rx_data;
+      if (place == 7'd0 || place == NUMBER_AT) number_right_q <= open_q && rx_data == probe_q;
       form_right_q <= (!open_q || form_right_q) && expected;
       if (word_byte) begin
         word_q <= {word_q[7:0], rx_data};
@@ -304,7 +311,7 @@ module panel_client #(
       length_q == length;
   wire exception = right && synced_q && function_q == {1'b1, function_code} &&
       length_q == EXCEPTION_BYTES;
-  wire probed = right && !synced_q && of_probe;
+  wire probed = right && !synced_q && of_probe && (function_q[7] || number_right_q);
   // An answer to something else is bad only where there can be none.
   wire bad = ends && !ours_right && !exception && !(right && (!synced_q || of_probe));
 

@@ -5,8 +5,8 @@
 //   Addresses count bits: with 18 they begin at AD4, with 9 at AD3, with 4 at AD2, with 2 at AD1, with 1 at
 //   AD0; with 36 at AD5, and the lower half is on DIA, DOA, the upper on DIB, DOB.
 //   With 18 the lowest two address pins of a write are its byte enables, with 36 the lowest four.
-// Port A writes and port B reads, without output registers and resets, and all words start with 0:
-// anything else stops the simulation. What port B reads of a word that port A is writing is undefined on the
+// Port A writes and port B reads, perhaps into its output registers (scripts/flow/ram_registers.py), without resets, and all
+// words start with 0: anything else stops the simulation. What port B reads of a word that port A is writing is undefined on the
 // chip; here it is the complement of the old bits, as in hdl/core/bank_ram.v, so that its use shows.
 `default_nettype none
 
@@ -93,7 +93,10 @@ module DP16KD #(
   initial begin
     for (i = 0; i < WORDS; i = i + 1) words[i] = 18'd0;
     if (START != 0) $fatal(1, "DP16KD: start values");
-    if (REGMODE_A != "NOREG" || REGMODE_B != "NOREG") $fatal(1, "DP16KD: output registers");
+    if (REGMODE_A != (DATA_WIDTH_B == 36 ? REGMODE_B : "NOREG")) begin
+      $fatal(1, "DP16KD: output registers of port A alone");
+    end
+    if (REGMODE_B != "NOREG" && REGMODE_B != "OUTREG") $fatal(1, "DP16KD: REGMODE");
     if (CLKAMUX != "CLKA" || CLKBMUX != "CLKB") $fatal(1, "DP16KD: inverted clock");
     if (CSDECODE_A != "0b000" || CSDECODE_B != "0b000") $fatal(1, "DP16KD: CSDECODE");
   end
@@ -156,24 +159,32 @@ module DP16KD #(
   wire [17:0] b_mask = bits_of(DATA_WIDTH_B, b_addr[3:0]);
   wire [17:0] b_data = words[b_word] ^ written(b_word);
   reg [17:0] b_low_q, b_high_q;
+  reg [17:0] b_low_out_q, b_high_out_q;  // the output registers
   always @(posedge CLKB) begin
     if (CEB) begin
       b_low_q <= (b_data & b_mask) >> shift_of(DATA_WIDTH_B, b_addr[3:0]);
       if (DATA_WIDTH_B == 36) b_high_q <= words[b_word|10'd1] ^ written(b_word | 10'd1);
     end
+    b_low_out_q  <= b_low_q;
+    b_high_out_q <= b_high_q;
+    if (REGMODE_B == "OUTREG" && !(OCEB && (OCEA || DATA_WIDTH_B != 36))) begin
+      $fatal(1, "DP16KD: an output register that is not always enabled");
+    end
     if (WEB || RSTB || CSB0 || CSB1 || CSB2) $fatal(1, "DP16KD: port B's WE, RST or CS");
   end
+  wire [17:0] b_low = REGMODE_B == "OUTREG" ? b_low_out_q : b_low_q;
+  wire [17:0] b_high = REGMODE_B == "OUTREG" ? b_high_out_q : b_high_q;
   assign {
     DOB17, DOB16, DOB15, DOB14, DOB13, DOB12, DOB11, DOB10, DOB9, DOB8, DOB7, DOB6, DOB5, DOB4,
     DOB3, DOB2, DOB1, DOB0
-  } = DATA_WIDTH_B == 36 ? b_high_q : b_low_q;
+  } = DATA_WIDTH_B == 36 ? b_high : b_low;
   // Unless it is the lower half of port B, this is a read of port A, which nobody may use.
   assign {
     DOA17, DOA16, DOA15, DOA14, DOA13, DOA12, DOA11, DOA10, DOA9, DOA8, DOA7, DOA6, DOA5, DOA4,
     DOA3, DOA2, DOA1, DOA0
-  } = DATA_WIDTH_B == 36 ? b_low_q : ~a_low;
+  } = DATA_WIDTH_B == 36 ? b_low : ~a_low;
 
-  wire unused = &{1'b0, OCEA, OCEB, a_high, b_addr, b_high_q};
+  wire unused = &{1'b0, OCEA, OCEB, a_high, b_addr, b_high};
 
 endmodule
 

@@ -204,6 +204,8 @@ std::optional<Compiled> compile_wide(const Program& program, const CompileOption
   const wide::Bounds bounds = wide::bounds(work, values, *machine);
   compiled.image.wide->report = report(code, work, bounds);
   compiled.image.statistics.lookups = static_cast<int>(work.look_ups.size());
+  compiled.meanings.push_back(image::meaning(program, lowered.program, code.addresses));
+  compiled.meanings[0].end_step = static_cast<int>(code.steps.size());
   return compiled;
 }
 

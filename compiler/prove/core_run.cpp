@@ -12,8 +12,8 @@ using core::Op;
 class CoreRun {
  public:
   CoreRun(const core::Program& program, const std::map<Device, int>& places, Terms& terms,
-          Start& start)
-      : program_(program), places_(places), t_(terms), start_(start) {}
+          Start& start, Outside outside)
+      : program_(program), places_(places), t_(terms), start_(start), outside_(outside) {}
 
   Meant run() {
     for (const core::Network& network : program_.networks) {
@@ -223,6 +223,15 @@ class CoreRun {
     return t_.add(index, Terms::constant(static_cast<std::uint16_t>(first)), carry);
   }
 
+  // As many of them as it takes to tell the places of the window, and one that is none.
+  Bit low_bits_are(const Word& index, std::size_t number, std::size_t size) {
+    Bit all = kTrue;
+    for (std::size_t bit = 0; size >> bit != 0; ++bit) {
+      all = t_.both(all, (number >> bit & 1U) != 0 ? index.at(bit) : inverse(index.at(bit)));
+    }
+    return all;
+  }
+
   std::vector<Word> contents(const std::vector<Device>& devices) {
     std::vector<Word> out;
     for (const Device device : devices) out.push_back(content(device));
@@ -232,6 +241,17 @@ class CoreRun {
   void load(const Instruction& i, Bit condition, const std::vector<Word>& s) {
     const Word at = address(i, i.reads, s.at(0));
     const Selected found = select(t_, at, places_.at(i.head), contents(i.reads));
+    if (outside_ == Outside::LowBits) {
+      Word value = is_word(i.head) ? content(i.targets.at(0)) : Terms::constant(0);
+      for (std::size_t n = 0; n < i.reads.size(); ++n) {
+        const Bit hit = t_.both(condition, low_bits_are(s.at(0), n, i.reads.size()));
+        value = t_.choose(hit, content(i.reads[n]), value);
+      }
+      write(i, condition, {value}, found.inside);
+      // It is what was there where nothing is loaded.
+      if (is_word(i.head)) contents_[i.targets.at(0)] = out_.actions.back().contents[0] = value;
+      return;
+    }
     Word outside = Terms::constant(0);
     for (std::size_t n = 0; n < (is_word(i.head) ? 16U : 1U); ++n) outside[n] = t_.variable();
     write(i, condition, {t_.choose(found.inside, found.value, outside)}, found.inside);
@@ -247,7 +267,10 @@ class CoreRun {
     out.targets = i.targets;
     for (std::size_t n = 0; n < i.targets.size(); ++n) {
       const auto here = static_cast<std::uint16_t>(first + static_cast<int>(n));
-      const Bit hit = t_.both(condition, t_.equal(out.address, Terms::constant(here)));
+      const Bit there = outside_ == Outside::LowBits ? low_bits_are(s.at(0), n, i.targets.size())
+                                                     : t_.equal(out.address, Terms::constant(here));
+      const Bit hit = t_.both(condition, there);
+      out.hits.push_back(hit);
       out.contents.push_back(t_.choose(hit, out.value, content(i.targets[n])));
     }
     add(std::move(out));
@@ -257,6 +280,7 @@ class CoreRun {
   const std::map<Device, int>& places_;
   Terms& t_;
   Start& start_;
+  Outside outside_;
   std::map<Device, Word> contents_;
   std::vector<Bit> blocks_, branches_;
   Bit result_ = kFalse;
@@ -269,8 +293,8 @@ class CoreRun {
 }  // namespace
 
 Meant run_core(const core::Program& program, const std::map<Device, int>& places, Terms& terms,
-               Start& start) {
-  return CoreRun(program, places, terms, start).run();
+               Start& start, Outside outside) {
+  return CoreRun(program, places, terms, start, outside).run();
 }
 
 }  // namespace rung::prove

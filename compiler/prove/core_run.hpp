@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <utility>
 #include <vector>
@@ -25,6 +26,7 @@ struct Action {
   Word address;
   Bit inside = kTrue;
   std::vector<Device> targets;
+  std::vector<Bit> hits;       // which of the targets it is, if it is executed
   std::vector<Word> contents;  // of the targets behind it
   NodeId since = 0;            // nodes from this one on are of its rung
 };
@@ -36,9 +38,15 @@ struct Meant {
   Bit error = kFalse;  // a division by 0 has been executed
 };
 
+// What an index outside of its window does, which no program may depend on.
+enum class Outside : std::uint8_t {
+  Anything,  // a load gives any value; a store is not looked for inside
+  LowBits,   // it goes where its low bits lead, as many as the window's size has, if to anywhere
+};
+
 // Throws std::logic_error for what no core program may be: a result that is missing, a window whose
 // devices do not lie side by side.
 Meant run_core(const core::Program& program, const std::map<Device, int>& places, Terms& terms,
-               Start& start);
+               Start& start, Outside outside = Outside::Anything);
 
 }  // namespace rung::prove

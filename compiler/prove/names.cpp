@@ -19,14 +19,13 @@ std::string place_name(Place place, const std::map<Place, Device>& owners,
   return fmt::format("the compiler's {} {}", kind, place.address);
 }
 
-std::string start_text(const Finding& finding, const std::map<Place, Device>& owners,
-                       const image::Image& image) {
+std::string start_text(const Finding& finding, const std::function<std::string(Place)>& name) {
   constexpr std::size_t kShown = 12;
   std::string out;
   const std::size_t shown = std::min(finding.start.size(), kShown);
   for (std::size_t i = 0; i < shown; ++i) {
     const auto& [place, value] = finding.start[i];
-    out += fmt::format("{} {}={}", out.empty() ? ", with" : ",", place_name(place, owners, image),
+    out += fmt::format("{} {}={}", out.empty() ? ", with" : ",", name(place),
                        place.word ? static_cast<std::int16_t>(value) : value);
   }
   if (shown < finding.start.size()) {

@@ -2,6 +2,7 @@
 // What a proof's findings call the places of the memories.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 
@@ -15,7 +16,6 @@ std::string place_name(Place place, const std::map<Place, Device>& owners,
                        const image::Image& image);
 
 // ", with X0=1 D3=-7 and 4 more": the start that shows a finding.
-std::string start_text(const Finding& finding, const std::map<Place, Device>& owners,
-                       const image::Image& image);
+std::string start_text(const Finding& finding, const std::function<std::string(Place)>& name);
 
 }  // namespace rung::prove

@@ -10,6 +10,8 @@
 #include "prove/decode.hpp"
 #include "prove/machine.hpp"
 #include "prove/names.hpp"
+#include "prove/questions.hpp"
+#include "prove/wide_prover.hpp"
 
 namespace rung::prove {
 namespace {
@@ -25,10 +27,11 @@ class Prover {
         config_(*isa::find_config(image.config)),
         code_(code),
         meaning_(meaning),
-        number_(number),
-        options_(options),
         start_(terms_),
         solver_(terms_, seconds),
+        questions_(
+            terms_, start_, solver_, [this](Place place) { return name(place); }, number, options,
+            proof),
         machine_(image.mpu, config_, image.lut, windows(), terms_, start_),
         proof_(proof) {}
 
@@ -68,8 +71,6 @@ class Prover {
     for (const auto& [head, size] : sizes) out.push_back({head.word, head.address, size});
     return out;
   }
-
-  bool full() const { return found_ >= options_.findings; }
 
   // ---- what is where ----
 
@@ -274,80 +275,21 @@ class Prover {
     return meaning_.first_origin + static_cast<int>(instruction.origin);
   }
 
-  // True if `bad` is proven to be 0 always. `image` and `program`: the two values that differ.
   bool ask(Bit bad, NodeId since, int source, const std::string& what, const Bit* image = nullptr,
            const Bit* program = nullptr, std::size_t bits = 1) {
-    const Answer answer = solver_.ask(bad, since);
-    if (answer.verdict == Verdict::Never) return true;
-    Finding finding;
-    finding.wrong = answer.verdict == Verdict::Possible;
-    finding.meaning = number_;
-    finding.source = source;
-    finding.what = what;
-    if (finding.wrong) {
-      if (image != nullptr) {
-        finding.what +=
-            fmt::format(": the image's is {}, the program's {}", number(image, bits, answer.model),
-                        number(program, bits, answer.model));
-      }
-      explain(bad, answer.model, finding);
-    }
-    add(std::move(finding));
-    return false;
+    return questions_.ask(bad, since, source, what, image, program, bits);
   }
-
-  int number(const Bit* bits, std::size_t count, const Model& model) const {
-    const std::vector<bool> values = terms_.evaluate(std::span(bits, count), model);
-    std::uint16_t out = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-      out = static_cast<std::uint16_t>(out | (values[i] ? 1U << i : 0U));
-    }
-    return count == 1 ? out : static_cast<std::int16_t>(out);
-  }
-
-  void explain(Bit bad, const Model& model, Finding& finding) const {
-    const Bit roots[] = {bad};
-    std::map<Place, std::uint16_t> values;
-    for (const NodeId node : terms_.cone(roots)) {
-      if (!terms_.is_variable(node) || terms_.is_result(node)) continue;
-      const auto* owner = start_.owner(node);
-      if (owner == nullptr) {
-        finding.takes_undefined = true;
-        continue;
-      }
-      const auto found = model.find(node);
-      const bool value = found != model.end() && found->second;
-      std::uint16_t& all = values[owner->first];
-      all = static_cast<std::uint16_t>(all | (value ? 1U << owner->second : 0U));
-    }
-    for (const auto& [place, value] : values) finding.start.push_back({place, value});
-    finding.shown = !finding.takes_undefined;
-    finding.what += start_text(finding, owners_, image_);
-  }
-
-  bool fail(int source, std::string what) {
-    Finding finding;
-    finding.meaning = number_;
-    finding.source = source;
-    finding.what = std::move(what);
-    add(std::move(finding));
-    return false;
-  }
-
-  void add(Finding finding) {
-    ++found_;
-    proof_.findings.push_back(std::move(finding));
-  }
+  bool fail(int source, std::string what) { return questions_.fail(source, std::move(what)); }
+  bool full() const { return questions_.full(); }
 
   const image::Image& image_;
   const isa::Config& config_;
   const Code& code_;
   const image::Meaning& meaning_;
-  std::size_t number_;
-  const ProofOptions& options_;
   Terms terms_;
   Start start_;
   Solver solver_;
+  Questions questions_;
   Machine machine_;
   Proof& proof_;
   std::map<Place, Device> owners_;
@@ -355,7 +297,6 @@ class Prover {
   std::map<Device, std::size_t> next_;
   std::vector<bool> done_;
   int step_ = 0;
-  std::size_t found_ = 0;
 };
 
 double since(std::chrono::steady_clock::time_point begin) {
@@ -380,6 +321,11 @@ Proof prove(const image::Image& image, const Code& code, std::span<const image::
             const ProofOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
   Proof proof;
+  if (image.wide) {
+    prove_wide(image, meanings.front(), options, proof);
+    proof.seconds = since(begin);
+    return proof;
+  }
   int step = 0;
   for (std::size_t i = 0; i < meanings.size(); ++i) {
     if (meanings[i].first_step != step) {
@@ -397,7 +343,7 @@ Proof prove(const image::Image& image, const Code& code, std::span<const image::
 
 Proof prove(const image::Image& image, std::span<const image::Meaning> meanings,
             const ProofOptions& options) {
-  return prove(image, code_of(image), meanings, options);
+  return prove(image, image.wide ? Code{} : code_of(image), meanings, options);
 }
 
 }  // namespace rung::prove

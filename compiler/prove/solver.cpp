@@ -9,6 +9,8 @@ namespace {
 
 // Of one question; the hardest of the tests' programs takes a hundredth of it.
 constexpr int kConflicts = 1000000;
+// Of a question that nothing depends on but time.
+constexpr int kFewConflicts = 200;
 
 class Deadline : public CaDiCaL::Terminator {
  public:
@@ -53,7 +55,7 @@ Answer Solver::ask(Bit bit, NodeId since) {
   for (const NodeId free : {static_cast<NodeId>(terms_.size()), since, NodeId{0}}) {
     if (!used_cuts || out_of_time()) break;
     used_cuts = false;
-    result = solve(bit, free, answer.model, used_cuts);
+    result = solve(bit, free, kConflicts, answer.model, used_cuts);
     if (result == 20) break;
   }
   if (result == 20) return {};
@@ -63,7 +65,22 @@ Answer Solver::ask(Bit bit, NodeId since) {
   return answer;
 }
 
-int Solver::solve(Bit bit, NodeId free, Model& model, bool& used_cuts) {
+Answer Solver::ask_quickly(Bit bit, NodeId free) {
+  if (bit == kFalse) return {};
+  Answer answer{Verdict::Unknown, {}};
+  if (out_of_time() || terms_.pattern_with(bit) >= 0) return answer;
+  ++effort_.solver;
+  bool used_cuts = false;
+  const int result = solve(bit, free, kFewConflicts, answer.model, used_cuts);
+  if (result == 20) return {};
+  const Bit roots[] = {bit};
+  if (result == 10 && !used_cuts && terms_.evaluate(roots, answer.model)[0]) {
+    answer.verdict = Verdict::Possible;
+  }
+  return answer;
+}
+
+int Solver::solve(Bit bit, NodeId free, int conflicts, Model& model, bool& used_cuts) {
   CaDiCaL::Solver solver;
   solver.set("quiet", 1);
   Deadline deadline(end_);
@@ -100,7 +117,7 @@ int Solver::solve(Bit bit, NodeId free, Model& model, bool& used_cuts) {
     clause({out, -a, -b});
   }
   solver.connect_terminator(&deadline);
-  solver.limit("conflicts", kConflicts);
+  solver.limit("conflicts", conflicts);
   const int result = solver.solve();
   if (result == 10) {
     model.clear();

@@ -37,11 +37,15 @@ class Solver {
   // suffice, only what is older than the node `since`, and in the end nothing.
   Answer ask(Bit bit, NodeId since);
 
+  // The same with little effort: what has been cut and is older than the node `free` is taken as
+  // free. Unknown where that does not do.
+  Answer ask_quickly(Bit bit, NodeId free);
+
   const Effort& effort() const { return effort_; }
 
  private:
   // 10 if it can be 1 (the model is then filled), 20 if not, 0: no answer within the limits.
-  int solve(Bit bit, NodeId free, Model& model, bool& used_cuts);
+  int solve(Bit bit, NodeId free, int conflicts, Model& model, bool& used_cuts);
   bool out_of_time() const { return std::chrono::steady_clock::now() > end_; }
 
   const Terms& terms_;

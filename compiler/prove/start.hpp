@@ -25,6 +25,9 @@ class Start {
   // What is at `place`; of a bit only bit 0 counts.
   const Word& at(Place place);
 
+  // From now on, and so before it is asked for: it holds this in every scan.
+  void fix(Place place, const Word& value) { values_[place] = value; }
+
   // The place that a variable is a bit of, or null: it is a value that nothing defines.
   const std::pair<Place, std::size_t>* owner(NodeId variable) const;
 

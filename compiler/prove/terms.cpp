@@ -180,20 +180,6 @@ std::vector<Word> Terms::call(Function function, const std::vector<Word>& operan
       called_.try_emplace({function, bits}, static_cast<std::uint32_t>(calls_.size()));
   if (!fresh) return calls_[place->second].results;
 
-  std::vector<std::array<Patterns, 16>> patterns(operands.size());
-  for (std::size_t start = 0; start < 64 * kRounds; ++start) {
-    Numbers numbers{};
-    for (std::size_t i = 0; i < bits.size(); ++i) {
-      const std::uint64_t value = round(bits[i], start / 64) >> start % 64 & 1;
-      numbers[i / 16] = static_cast<std::uint16_t>(numbers[i / 16] | value << i % 16);
-    }
-    const Numbers results = compute(function, numbers);
-    for (std::size_t i = 0; i < bits.size(); ++i) {
-      std::uint64_t& word = patterns[i / 16][i % 16][start / 64];
-      if (start % 64 == 0) word = 0;
-      word |= static_cast<std::uint64_t>(results[i / 16] >> i % 16 & 1) << start % 64;
-    }
-  }
   Call call{function, bits, {}};
   for (std::size_t i = 0; i < operands.size(); ++i) {
     Word& word = call.results.emplace_back();
@@ -201,11 +187,69 @@ std::vector<Word> Terms::call(Function function, const std::vector<Word>& operan
       const auto number = static_cast<std::uint32_t>(results_.size());
       results_.push_back({static_cast<std::uint32_t>(calls_.size()), static_cast<std::uint8_t>(i),
                           static_cast<std::uint8_t>(j)});
-      word[j] = add_node({kNone, number}, patterns[i][j]);
+      word[j] = add_node({kNone, number}, {});
     }
   }
   calls_.push_back(std::move(call));
+  for (std::size_t n = 0; n < kRounds; ++n) simulate_call(calls_.size() - 1, n);
   return calls_.back().results;
+}
+
+void Terms::simulate_call(std::size_t call, std::size_t n) {
+  const Call& one = calls_[call];
+  for (const Word& word : one.results) {
+    for (const Bit bit : word) patterns_[node_of(bit)][n] = 0;
+  }
+  for (std::size_t start = 0; start < 64; ++start) {
+    Numbers numbers{};
+    for (std::size_t i = 0; i < one.operands.size(); ++i) {
+      const std::uint64_t value = round(one.operands[i], n) >> start & 1;
+      numbers[i / 16] = static_cast<std::uint16_t>(numbers[i / 16] | value << i % 16);
+    }
+    const Numbers results = compute(one.function, numbers);
+    for (std::size_t i = 0; i < 16 * one.results.size(); ++i) {
+      const std::uint64_t value = results[i / 16] >> i % 16 & 1;
+      patterns_[node_of(one.results[i / 16][i % 16])][n] |= value << start;
+    }
+  }
+}
+
+void Terms::learn(const Model& model) {
+  // The first round stays as it is.
+  const std::size_t n = 1 + learned_++ % (kRounds - 1);
+  std::size_t next_call = 0;
+  for (NodeId node = 1; node < nodes_.size(); ++node) {
+    if (is_result(node)) {
+      // The results of a call stand together, behind its operands.
+      const Result& result = results_[nodes_[node].right];
+      if (result.call >= next_call) simulate_call(next_call++, n);
+    } else if (is_variable(node)) {
+      const auto found = model.find(node);
+      const bool value = found != model.end() && found->second;
+      const std::uint64_t others = random_() & random_() & random_() & ~std::uint64_t{1};
+      patterns_[node][n] = (value ? ~std::uint64_t{0} : 0) ^ others;
+    } else {
+      patterns_[node][n] = round(left(node), n) & round(right(node), n);
+    }
+  }
+}
+
+std::vector<Word> Terms::call_like_others(Function function, const std::vector<Word>& operands) {
+  const std::size_t before = calls_.size();
+  std::vector<Word> results = call(function, operands);
+  if (calls_.size() == before) return results;
+  for (std::size_t i = 0; i < before; ++i) {
+    const Call other = calls_[i];  // a copy of it: what follows makes nodes, but no calls
+    if (other.function != function) continue;
+    Bit equal = kTrue;
+    for (std::size_t n = 0; n < other.operands.size(); ++n) {
+      equal = both(equal, inverse(differ(other.operands[n], operands[n / 16][n % 16])));
+    }
+    for (std::size_t n = 0; n < results.size(); ++n) {
+      results[n] = choose(equal, other.results[n], results[n]);
+    }
+  }
+  return results;
 }
 
 std::vector<NodeId> Terms::cone(std::span<const Bit> roots) const {

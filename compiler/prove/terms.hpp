@@ -2,7 +2,7 @@
 // Values of a scan as terms over the devices' values at its start: a graph of two-input ANDs and
 // inverters in which equal structure is one node, with words as sixteen of its edges. Products and
 // quotients are functions of their operands about which nothing is known but that equal operands
-// give equal results. Every node is simulated on 256 random starts as it is made.
+// give equal results. Every node is simulated on 512 starts as it is made, random ones at first.
 #pragma once
 
 #include <array>
@@ -66,6 +66,9 @@ class Terms {
 
   // Two or four words of result, as many as operands.
   std::vector<Word> call(Function function, const std::vector<Word>& operands);
+  // The same, for operands that need not look like those of an earlier call to be equal to them:
+  // where they are, the results are that call's.
+  std::vector<Word> call_like_others(Function function, const std::vector<Word>& operands);
 
   // ---- the graph ----
   std::size_t size() const { return nodes_.size(); }
@@ -80,8 +83,15 @@ class Terms {
   std::vector<bool> evaluate(std::span<const Bit> bits, const Model& model) const;
 
   // ---- simulation ----
-  static constexpr std::size_t kRounds = 4;
+  static constexpr std::size_t kRounds = 8;
   using Patterns = std::array<std::uint64_t, kRounds>;
+  Patterns simulated(Bit bit) const {
+    Patterns out;
+    for (std::size_t n = 0; n < kRounds; ++n) out[n] = round(bit, n);
+    return out;
+  }
+  // Takes this start, and 63 that are much like it, for 64 others.
+  void learn(const Model& model);
   // A start in which `bit` is 1, or -1.
   int pattern_with(Bit bit) const;
   // The values of the variables among `nodes` in it.
@@ -107,6 +117,7 @@ class Terms {
     return patterns_[node_of(bit)][n] ^ ((bit & 1U) != 0 ? ~std::uint64_t{0} : 0);
   }
   Bit add_node(Node node, const Patterns& patterns);
+  void simulate_call(std::size_t call, std::size_t n);
 
   std::vector<Node> nodes_;
   std::vector<Patterns> patterns_;
@@ -114,6 +125,7 @@ class Terms {
   std::map<std::pair<Function, std::vector<Bit>>, std::uint32_t> called_;
   std::vector<Call> calls_;
   std::vector<Result> results_;
+  std::size_t learned_ = 0;
   std::mt19937_64 random_{20261127};
 };
 

@@ -9,7 +9,7 @@ namespace {
 
 TEST_F(Cli, ProveSaysWhatIsProven) {
   const std::string program = file("p.il", "LD X0\nOR Y0\nANI X1\nOUT Y0\nADD D0 K1 D1\nEND\n");
-  for (const char* mpu : {"1", "2", "3"}) {
+  for (const char* mpu : {"1", "2", "3", "4", "4 --no-merge"}) {
     const Result text = rung("compile " + program + " --prove --mpu " + mpu);
     EXPECT_EQ(text.code, 0) << text.err;
     EXPECT_NE(text.out.find("proven: "), std::string::npos) << text.out;

@@ -111,7 +111,7 @@ TEST_F(Cli, WideWrongUsageIsExit2) {
   }
   for (const std::string& arguments :
        {"run " + program + " --no-merge", "compile " + file("f.flow", "") + " --mpu 4",
-        "compile " + program + " --mpu 4 --prove", "compile " + program + " --mpu 4 --bindings",
+        "compile " + program + " --mpu 4 --bindings",
         "compile " + program + " --mpu 4 --load-file " + path("l"),
         "run " + program + " --mpu reference --slots 4", "run " + path("w.img") + " --slots 8",
         "run " + path("w.img") + " --no-merge", "run " + path("w.img") + " --mpu 3",

@@ -81,4 +81,14 @@ std::optional<Compiled> compiled_for(const Program& program, isa::Mpu mpu, bool 
   return compile(program, options, diagnostics);
 }
 
+std::optional<Compiled> compiled_wide(const Program& program, int slots, bool merge) {
+  CompileOptions options;
+  options.mpu = isa::Mpu::Mpu4;
+  options.slots = slots;
+  options.merge = merge;
+  options.search.tries = 4;
+  Diagnostics diagnostics;
+  return compile(program, options, diagnostics);
+}
+
 }  // namespace rung::tb

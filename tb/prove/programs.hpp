@@ -31,6 +31,10 @@ Program random_case(std::uint64_t seed);
 std::optional<Compiled> compiled_for(const Program& program, isa::Mpu mpu, bool paper = false,
                                      bool small = false);
 
+// The same for MPU4.
+inline constexpr int kSlots[] = {4, 8, 16};
+std::optional<Compiled> compiled_wide(const Program& program, int slots, bool merge);
+
 inline std::string errors_of(const prove::Proof& proof, const Compiled& compiled) {
   Diagnostics diagnostics;
   prove::report(proof, compiled.image, compiled.meanings, diagnostics);

@@ -27,6 +27,7 @@ std::optional<std::string> caught(const NetlistInfo& netlist,
     try {
       const LoadedMachine loaded =
           load_netlist(netlist, subject.image, subject.program->golden().header.tick_us);
+      const QuietEnd quiet_end;
       const auto difference = subject.program->difference(subject.image, *loaded.machine);
       if (difference) return difference;
       read_all(netlist, subject.image, *loaded.processor);

@@ -16,6 +16,7 @@ class GateGolden : public testing::TestWithParam<Parameter> {
   void run(const image::Image& image) {
     const NetlistInfo& netlist = std::get<0>(GetParam());
     const LoadedMachine loaded = load_netlist(netlist, image, program_.golden().header.tick_us);
+    const QuietEnd quiet_end;
     const auto difference = program_.difference(image, *loaded.machine);
     ASSERT_FALSE(difference) << *difference;
     read_all(netlist, image, *loaded.processor);

@@ -64,6 +64,7 @@ LoadedMachine load_netlist(const NetlistInfo& netlist, const image::Image& image
   const auto made = std::find_if(all().begin(), all().end(),
                                  [&](const Made& each) { return each.info.name == netlist.name; });
   if (made == all().end()) throw std::invalid_argument("no netlist " + netlist.name);
+  gate_state.comparing = true;
   return made->load(image, tick_us);
 }
 

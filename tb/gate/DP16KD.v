@@ -61,6 +61,7 @@ module DP16KD #(
 );
 
   localparam WORDS = 1024;
+  localparam REGISTERED = REGMODE_B != "NOREG";  // else OUTREG
   // The start values, one after another
   localparam [64*320-1:0] START = {
     INITVAL_3F, INITVAL_3E, INITVAL_3D, INITVAL_3C, INITVAL_3B, INITVAL_3A, INITVAL_39, INITVAL_38,
@@ -96,7 +97,6 @@ module DP16KD #(
     if (REGMODE_A != (DATA_WIDTH_B == 36 ? REGMODE_B : "NOREG")) begin
       $fatal(1, "DP16KD: output registers of port A alone");
     end
-    if (REGMODE_B != "NOREG" && REGMODE_B != "OUTREG") $fatal(1, "DP16KD: REGMODE");
     if (CLKAMUX != "CLKA" || CLKBMUX != "CLKB") $fatal(1, "DP16KD: inverted clock");
     if (CSDECODE_A != "0b000" || CSDECODE_B != "0b000") $fatal(1, "DP16KD: CSDECODE");
   end
@@ -167,13 +167,13 @@ module DP16KD #(
     end
     b_low_out_q  <= b_low_q;
     b_high_out_q <= b_high_q;
-    if (REGMODE_B == "OUTREG" && !(OCEB && (OCEA || DATA_WIDTH_B != 36))) begin
+    if (REGISTERED && !(OCEB && (OCEA || DATA_WIDTH_B != 36))) begin
       $fatal(1, "DP16KD: an output register that is not always enabled");
     end
     if (WEB || RSTB || CSB0 || CSB1 || CSB2) $fatal(1, "DP16KD: port B's WE, RST or CS");
   end
-  wire [17:0] b_low = REGMODE_B == "OUTREG" ? b_low_out_q : b_low_q;
-  wire [17:0] b_high = REGMODE_B == "OUTREG" ? b_high_out_q : b_high_q;
+  wire [17:0] b_low = REGISTERED ? b_low_out_q : b_low_q;
+  wire [17:0] b_high = REGISTERED ? b_high_out_q : b_high_q;
   assign {
     DOB17, DOB16, DOB15, DOB14, DOB13, DOB12, DOB11, DOB10, DOB9, DOB8, DOB7, DOB6, DOB5, DOB4,
     DOB3, DOB2, DOB1, DOB0

@@ -19,12 +19,12 @@ struct GateState {
   std::uint64_t answers = 0;  // of the load port
   std::uint64_t words = 0;    // written
   std::uint8_t fault = 0;
-  bool comparing = true;      // load_netlist() begins to
+  bool comparing = true;  // load_netlist() begins to
 };
 inline GateState gate_state;
 
-// Declared behind a machine: while that is taken apart nothing is compared, as a destructor, which may
-// write to the processor, has no way to say that something differs.
+// Declared behind a machine: while that is taken apart nothing is compared, as a destructor, which
+// may write to the processor, has no way to say that something differs.
 class QuietEnd {
  public:
   QuietEnd() = default;

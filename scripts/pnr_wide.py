@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Place and route MPU4 in its board top; area, clock, and the time of a source instruction of the paper's Sample 1.
 
-Writes reports/wide-timing.json and wide-timing.md with whatever slots and seeds were asked for, and says which.
+Writes reports/wide-timing.json and wide-timing.md with whatever slots and seeds were asked for, and says which; of other
+slots what the same tools have reported stays, with its date.
 Needs build/bin/rung and build/bin/rung-samples. A placed seed is kept (build/pnr), so more seeds can be added.
 """
 from __future__ import annotations
@@ -23,6 +24,7 @@ from flow.synthesis import yosys_version
 ALL_SEEDS = [1, 2, 3, 4, 5]
 REPORTED = [4, 8, 16]
 BIN = tools.BUILD / "bin"
+TIMING = tools.REPORTS / "wide-timing.json"
 GOAL_NS = {8: 0.98, 16: 0.48}  # a source instruction of the mix
 DENSITY = 30  # tb/programs/samples.hpp
 PROGRAMS = [1, 2, 3, 4, 5]  # stand-ins of Sample 1, by their seeds
@@ -48,16 +50,24 @@ def render(report: dict[str, Any]) -> str:
              f"Made by `make pnr-wide` on {report['date']}: {report['tools']['yosys']}, nextpnr {report['tools']['nextpnr-ecp5']}, ECP5-85F grade 6, "
              f"`{report['options']}`. Stand-ins of the paper's Sample 1 (the mix: contacts, coils, MV, ADD, SUB, MUL, DIV; density {DENSITY}, "
              f"seeds 1 to {len(PROGRAMS)}, median), clocks of a scan with input latch and the ends of DIV, which the tests assert on the RTL.", "",
-             "| slots | seeds | MHz least | median | most | logic cells | flip-flops | block RAMs | DSPs | clocks a scan | ns a scan | ns an instruction | goal |",
-             "|--:|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|"]
+             "| slots | date | seeds | MHz least | median | most | logic cells | flip-flops | block RAMs | DSPs | clocks a scan | ns a scan | ns an instruction | goal |",
+             "|--:|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|"]
     for row in report["results"]:
         fmax = row["fmax_mhz"]
-        lines.append(f"| {row['slots']} | {', '.join(fmax['seeds'])} | {fmax['min']} | {fmax['median']} | {fmax['max']} | {row['logic_cells']} | "
+        lines.append(f"| {row['slots']} | {row['date']} | {', '.join(fmax['seeds'])} | {fmax['min']} | {fmax['median']} | {fmax['max']} | {row['logic_cells']} | "
                      f"{row['flip_flops']} | {row['block_rams']} | {row['dsps']} | {row['clocks']} | {row['scan_ns']} | **{row['instruction_ns']}** | "
                      f"{row['goal_ns'] or ''} |")
     lines += ["", *(f"Slowest with {row['slots']} slots: `{row['critical_path']['start']}` to `{row['critical_path']['end']}`."
                     for row in report["results"]), ""]
     return "\n".join(lines)
+
+
+def kept(report: dict[str, Any], slots: list[int]) -> list[dict[str, Any]]:
+    """What the last report has of other slots, if it is of the same tools and options."""
+    old = json.loads(TIMING.read_text()) if TIMING.exists() else {}
+    if any(old.get(key) != report[key] for key in ("tools", "options")):
+        return []
+    return [{"date": old["date"], **record} for record in old["results"] if record["slots"] not in slots]
 
 
 def main() -> int:
@@ -68,10 +78,11 @@ def main() -> int:
     parser.add_argument("--jobs", type=int, default=1, help="runs of nextpnr at once")
     arguments = parser.parse_args()
     tools.generate_isa_header()
+    today = datetime.date.today().isoformat()
     records = []
     for slots in arguments.slots:
         seeds = arguments.wide_seeds if slots == 16 and arguments.wide_seeds else arguments.seeds
-        record = {"slots": slots, **area.measure(wide_design(slots), seeds, arguments.jobs)}
+        record = {"slots": slots, "date": today, **area.measure(wide_design(slots), seeds, arguments.jobs)}
         record["samples"] = scans(slots)
         record["clocks"] = statistics.median(sample["clocks"] for sample in record["samples"])
         record["scan_ns"] = round(1000 * record["clocks"] / record["fmax_mhz"]["median"], 1)
@@ -84,13 +95,14 @@ def main() -> int:
                   f"{fmax['min']} {fmax['median']} {fmax['max']} MHz  {path['start']} -> {path['end']}")
     report = {
         "made_by": "make pnr-wide",
-        "date": datetime.date.today().isoformat(),
+        "date": today,
         "tools": {"yosys": yosys_version(),
                   "nextpnr-ecp5": nextpnr_version(WIDE_BOARD.family.nextpnr).removeprefix("nextpnr-")},
         "options": " ".join((WIDE_BOARD.family.synth, *WIDE_BOARD.family.nextpnr_options)),
-        "results": records,
+        "results": [],
     }
-    tools.write_file(tools.REPORTS / "wide-timing.json", json.dumps(report, indent=1) + "\n")
+    report["results"] = sorted(records + kept(report, arguments.slots), key=lambda record: record["slots"])
+    tools.write_file(TIMING, json.dumps(report, indent=1) + "\n")
     tools.write_file(tools.REPORTS / "wide-timing.md", render(report))
     tools.say("wrote reports/wide-timing.json and wide-timing.md")
     return 0

@@ -89,6 +89,7 @@ test-gate: ## the golden traces on the synthesised netlists, ECP5 and iCE40: rep
 .PHONY: cov
 cov: ## what the tests reach of pipeline, hardware and C++: reports/coverage.md; COUNT= random programs
 	@scripts/setup.sh cov
+	$(call cmake_build,build/release,$(RELEASE),--target coverage_functional)
 	$(call cmake_build,build/cov,-DRUNG_COVERAGE=ON -DRUNG_UNITY=ON,--target rung $$($(PYTHON) scripts/coverage.py targets))
 	@$(PYTHON) scripts/coverage.py run --programs $(COUNT) --jobs $(JOBS)
 

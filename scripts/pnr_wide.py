@@ -22,7 +22,7 @@ from flow.place_route import nextpnr_version
 from flow.synthesis import yosys_version
 
 ALL_SEEDS = [1, 2, 3, 4, 5]
-REPORTED = [4, 8, 16]
+REPORTED = [4, 8]  # the routing of 16 has not come to an end: hdl/wide/TIMING.md
 BIN = tools.BUILD / "bin"
 TIMING = tools.REPORTS / "wide-timing.json"
 GOAL_NS = {8: 0.98, 16: 0.48}  # a source instruction of the mix

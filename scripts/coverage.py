@@ -4,7 +4,7 @@
 
 usage: coverage.py targets                          print what it runs of build/cov, to be built first
        coverage.py run [--jobs N] [--programs N]    run them, write the reports
-       coverage.py report                           write the reports from the last run's counts
+       coverage.py report                           write the reports from the last run's counts: hardware and C++ if all have run
 
 Exit code 1 if a test fails, or if an exclusion of tb/coverage/exclusions.toml leaves nothing out; then no report is written.
 """
@@ -128,13 +128,15 @@ def of_hardware() -> dict[str, Any]:
 
 def write() -> None:
     verilator = subprocess.run(["verilator", "--version"], capture_output=True, text=True, check=True).stdout
+    seconds = json.loads((RESULTS / "seconds.json").read_text())
+    all_run = all(name.split("/")[1] in seconds for name in PROGRAMS)
     made: dict[str, Any] = {
         "made_by": "make cov", "date": datetime.date.today().isoformat(),
         "tools": {"verilator": " ".join(verilator.split()[:2]), "gcovr": cpp.version()},
-        "programs": json.loads((RESULTS / "seconds.json").read_text()),
+        "programs": seconds,
         "functional": json.loads((RESULTS / "functional.json").read_text()),
-        "hardware": of_hardware(),
-        "cpp": cpp.summary(cpp.collect(BUILD, RESULTS / "gcovr.json"))}
+        "hardware": of_hardware() if all_run else None,
+        "cpp": cpp.summary(cpp.collect(BUILD, RESULTS / "gcovr.json")) if all_run else None}
     tools.write_file(tools.REPORTS / "coverage.json", json.dumps(made, indent=1) + "\n")
     tools.write_file(tools.REPORTS / "coverage.md", report.render(made))
     tools.say("wrote reports/coverage.md and coverage.json")

@@ -45,7 +45,7 @@ test('the ladder is drawn, with names, comments and the source comment', async (
     const start = element(page, 'contact', 'X0');
     assert.equal(await start.locator('.comment').textContent(), 'start');
     assert.equal(await page.locator('.element.contact-not').count(), 2);
-    assert.ok(await element(page, 'coil', 'Y5').isVisible());
+    await element(page, 'coil', 'Y5').waitFor();
     assert.equal(await page.title(), 'motor.il · Rung');
   });
 });
@@ -100,6 +100,7 @@ test('energised paths are those that have power', async () => {
     await element(page, 'contact', 'X4').click();
     await page.click('#step');
     await becomes(page, 'Y5', 1);
+    await shows(element(page, 'coil', 'Y5'), /powered/, 'class');
     const powered = async (sign, name) => /powered/.test(await element(page, sign, name).getAttribute('class'));
     assert.deepEqual(await Promise.all([powered('coil', 'Y3'), powered('coil', 'Y4'), powered('coil', 'Y5')]), [false, true, true]);
     // X3 conducts where it is negated, and X5, below X4, conducts nowhere.
@@ -114,7 +115,7 @@ test('a word is set, and what does not fit is refused', async () => {
     const block = page.locator('#menu section', {hasText: 'D1'}).last();
     await block.locator('input').fill('99999');
     await block.getByText('Set', {exact: true}).click();
-    assert.ok(await page.locator('#menu').isVisible());
+    await page.locator('#menu').waitFor();
     await block.locator('input').fill('12');
     await block.getByText('Set', {exact: true}).click();
     await becomes(page, 'D1', 12);
@@ -162,7 +163,7 @@ test('search goes to where a device is written, then to where it is read', async
     await page.keyboard.press('Enter');
     const toast = page.locator('.toast');
     await shows(toast, /M140: rung \d+ writes it/);
-    assert.ok(await page.locator('.element.marked.coil').first().isVisible());
+    await page.locator('.element.marked.coil').first().waitFor();
     await page.locator('#search').focus();
     await page.keyboard.press('Enter');
     await shows(page.locator('.toast'), /reads it/);
@@ -188,12 +189,12 @@ test('without a mouse', async () => {
     await page.keyboard.press('Space');
     await becomes(page, 'M0', 1);
     for (let i = 0; i < 2; i++) await page.keyboard.press('ArrowRight');
-    assert.match(await page.evaluate(() => document.activeElement.getAttribute('aria-label')), /M0, coil, power/);
+    await page.waitForFunction(() => /M0, coil, power/.test(document.activeElement.getAttribute('aria-label')));
     await page.keyboard.press('m');
-    assert.ok(await page.locator('#menu').isVisible());
+    await page.locator('#menu').waitFor();
     await page.keyboard.press('Escape');
     await page.keyboard.press('3');
-    assert.ok(await page.locator('#timing canvas').isVisible());
+    await page.locator('#timing canvas').waitFor();
     await page.keyboard.press('r');
     await page.waitForFunction(() => rung.frame.mode === 'real');
     await page.keyboard.press('p');
@@ -311,11 +312,11 @@ test('inside the processor: all three, step by step, to the rung and back', asyn
     for (let i = 0; i < 7; i++) await page.keyboard.press('ArrowRight');
     await page.locator('.processor').last().locator('.execute').first().getByText(/LUT row|exc/).first().waitFor();
     await page.locator('.processor').last().locator('.code').first().click();
-    assert.ok(await page.locator('#ladder').isVisible());
-    assert.ok(await page.evaluate(() => document.activeElement.closest('.element') !== null));
+    await page.locator('#ladder').waitFor();
+    await page.waitForFunction(() => document.activeElement.closest('.element') !== null);
     await page.keyboard.press('m');
     await page.locator('#menu').getByText('Inside the processor').click();
-    assert.ok(await page.locator('.processor').first().isVisible());
+    await page.locator('.processor').first().waitFor();
   });
 });
 
@@ -345,7 +346,7 @@ test('a controller through Modbus: watched, set, forced, stopped, and away for a
       // RUN again is not asked for: the simulated controller then answers nobody for minutes.
       await controller.stop();
       await page.waitForFunction(() => rung.frame.failed);
-      assert.ok(await page.locator('#message.bad').isVisible());
+      await page.locator('#message.bad').waitFor();
     });
   } finally {
     await controller.stop();
@@ -355,18 +356,17 @@ test('a controller through Modbus: watched, set, forced, stopped, and away for a
 test('flow tasks are flowcharts, with the step that each is at', async () => {
   await look([program('lift.flow')], async (page) => {
     assert.equal(await page.locator('#flow .task').count(), 2);
-    const active = () => page.locator('.step.active .name').allTextContents();
+    const active = (names) => page.waitForFunction(
+      (wanted) => [...document.querySelectorAll('.step.active .name')].map((each) => each.textContent).join() === wanted, names);
     await page.click('#step');
-    await page.waitForFunction(() => document.querySelectorAll('.step.active').length === 1);
-    assert.deepEqual(await active(), ['IDLE']);
+    await active('IDLE');
     await only(page, 'X0');
     await page.locator('.device').click();
     for (let i = 0; i < 2; i++) await page.click('#step');
-    await page.waitForFunction(() => document.querySelectorAll('.step.active').length === 2);
-    assert.deepEqual(await active(), ['UP, after its wait', 'LOOK']);
+    await active('UP, after its wait,LOOK');
     await becomes(page, 'Y0', 1);
     await page.click('#tab-ladder');
-    assert.ok(await element(page, 'coil', 'Y2').isVisible());
+    await element(page, 'coil', 'Y2').waitFor();
   });
 });
 

@@ -101,6 +101,7 @@ class Design:
     ours: bool = True             # False: third-party Verilog, whose warnings are not ours
     kind: str = "pnr"             # folder under build
     data: tuple[Path, ...] = ()   # files that the Verilog reads
+    floorplan: bool = False       # flow/floorplan.py after Yosys
 
     @property
     def folder(self) -> Path:
@@ -133,7 +134,7 @@ def wide_design(slots: int) -> Design:
     boards = tools.ROOT / "hdl" / "boards"
     sources = wide_sources() + [boards / f"{name}.v" for name in ("power_on_reset", "serial_link", WIDE_BOARD.name)]
     return Design(f"{WIDE_BOARD.name}-{slots}", WIDE_BOARD.name, tuple(sources), (tools.GENERATED,),
-                  tuple(WIDE[slots].items()), WIDE_BOARD)
+                  tuple(WIDE[slots].items()), WIDE_BOARD, floorplan=slots == 16)
 
 
 def plc_design(board: Board) -> Design:

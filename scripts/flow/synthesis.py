@@ -6,7 +6,7 @@ import functools
 import re
 from pathlib import Path
 
-from flow import ram_registers, tools
+from flow import floorplan, ram_registers, tools
 from flow.designs import Design
 
 
@@ -53,8 +53,8 @@ def synthesise(design: Design) -> Path:
     stamp = design.folder / "netlist.inputs"
     text = script(design, netlist)
     headers = [header for folder in design.include for header in sorted(folder.glob("*.vh"))]
-    passes = [Path(ram_registers.__file__)] if design.board.family.ram_registers else []
-    want = tools.digest([text, yosys_version()], [*design.sources, *headers, *design.data, *passes])
+    passes = [each for each, wanted in ((ram_registers, design.board.family.ram_registers), (floorplan, design.floorplan)) if wanted]
+    want = tools.digest([text, yosys_version()], [*design.sources, *headers, *design.data, *(Path(each.__file__) for each in passes)])
     if tools.up_to_date(stamp, want, [netlist]):
         return netlist
     tools.say(f"{design.name}: synthesis")
@@ -65,7 +65,7 @@ def synthesise(design: Design) -> Path:
     log = tools.run([tools.YOSYS, "-s", str(script_file)],
                     tools.LOGS / f"synth-{design.name}.log")
     check_log(log, design.ours)
-    if passes:
-        ram_registers.rewrite(netlist, design.top)
+    for each in passes:
+        each.rewrite(netlist, design.top)
     tools.write_file(stamp, want)
     return netlist

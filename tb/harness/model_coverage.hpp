@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What Verilator counts of lines, branches and toggles, added up over all models of a program: each
 // instance and each set of parameters of a module is the same module. Written to the
-// folder that the environment's RUNG_COVERAGE names, in Verilator's own format (`make cov`). In any
-// other build nothing is counted.
+// folder that the environment's RUNG_COVERAGE names, in Verilator's own format (`make cov`), when the
+// program ends. In any other build nothing is counted.
 #pragma once
 
 #include <verilated.h>
@@ -44,12 +44,19 @@ class ModelCoverage {
       counts_[point] += std::strtoull(line.c_str() + end + 2, nullptr, 10);
     }
     std::filesystem::remove(file);
-    write();
+    if (ending_) write();
   }
 
  private:
   ModelCoverage() {
     if (const char* folder = std::getenv("RUNG_COVERAGE"); folder != nullptr) folder_ = folder;
+    // Once for all models, but for static ones that are destroyed after this.
+    if (!folder_.empty()) {
+      std::atexit([] {
+        of_program().ending_ = true;
+        of_program().write();
+      });
+    }
   }
 
   void write() const {
@@ -67,6 +74,7 @@ class ModelCoverage {
   }
 
   std::string folder_;
+  bool ending_ = false;
   std::map<std::string, std::uint64_t> counts_;
 };
 #endif

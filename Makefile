@@ -134,7 +134,7 @@ pnr: ## place and route: area and clock, into reports/ if all of them run; MPU= 
 	@$(VENV)/python scripts/pnr.py $(FLOW) --seeds $(SEEDS) --jobs $(JOBS)
 	@if [ -e reports/area-timing.json ]; then $(PYTHON) scripts/report_area.py; fi
 
-pnr-wide: build ## place and route MPU4 with 4 and 8 slots: reports/wide-timing.md; SEEDS=
+pnr-wide: build ## place and route MPU4 with 4, 8 and 16 slots, an hour or two: reports/wide-timing.md; SEEDS=
 	@scripts/setup.sh flow
 	@$(VENV)/python scripts/pnr_wide.py --seeds $(SEEDS)
 

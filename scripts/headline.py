@@ -31,11 +31,15 @@ def our_row(mpu: int, area: dict[str, Any], sample: dict[str, Any]) -> str:
             f"{1000 * time / run['instructions']:.1f} | {results['ecp5']['logic_cells']} | {hx8k:.0f} |")
 
 
-def wide_row(result: dict[str, Any]) -> str:
-    """MPU4 with so many slots: the same program, which is the stand-in of seed 1."""
+def wide_run(result: dict[str, Any]) -> tuple[dict[str, Any], float]:
+    """MPU4's run of the same program, which is the stand-in of seed 1, and the microseconds of its scan."""
     run = next(sample for sample in result["samples"] if sample["seed"] == 1)
+    return run, run["clocks"] / result["fmax_mhz"]["median"]
+
+
+def wide_row(result: dict[str, Any]) -> str:
+    run, time = wide_run(result)
     mhz = result["fmax_mhz"]["median"]
-    time = run["clocks"] / mhz
     return (f"| **MPU4**, {result['slots']} slots | {run['steps']} | {run['clocks']} | {mhz:.0f} | {time:.2f} | "
             f"{1000 * time / run['instructions']:.2f} | {result['logic_cells']} | |")
 
@@ -63,6 +67,7 @@ def table() -> str:
     sample = yard["samples"][0]
     instructions = next(r["instructions"] for r in sample["rung"] if r["fits"])
     host = sample["host"]
+    faster = [f"{result['slots']} slots" for result in wide["results"] if 1000 * wide_run(result)[1] < host["median_ns"]]
     rows = [our_row(mpu, area, sample) for mpu in (1, 2, 3)]
     rows += [wide_row(result) for result in wide["results"]]
     rows += [core_row(core, sample, instructions) for core in yard["cores"]]
@@ -74,8 +79,8 @@ def table() -> str:
         f"median of seeds {seeds(area)} (the soft cores {seeds(yard)}; MPU4, {wide['date']}: {wide_seeds(wide)}), {area['date']}. "
         "Logic cells of the processors include serial link, UART and PWM around them; the rest is in [reports/area-timing.md](reports/area-timing.md). A server core "
         f"({yard['host']['cpu']}, gcc -O2) takes {host['median_ns'] / 1000:.2f} us a scan, and the "
-        f"worst of {host['scans']} scans took {host['worst_ns'] / 1000:.0f} us: faster on average, and "
-        "without a bound.", ""])
+        f"worst of {host['scans']} scans took {host['worst_ns'] / 1000:.0f} us: "
+        f"{'slower on average than MPU4 with ' + ' or '.join(faster) if faster else 'faster on average'}, and without a bound.", ""])
 
 
 def main(argv: list[str]) -> int:

@@ -73,15 +73,13 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--slots", type=int, nargs="+", choices=list(WIDE), default=list(WIDE))
     parser.add_argument("--seeds", type=int, nargs="+", default=ALL_SEEDS)
-    parser.add_argument("--wide-seeds", type=int, nargs="+", help="of 16 slots, where others: a seed takes several times as long")
     parser.add_argument("--jobs", type=int, default=1, help="runs of nextpnr at once")
     arguments = parser.parse_args()
     tools.generate_isa_header()
     today = datetime.date.today().isoformat()
     records = []
     for slots in arguments.slots:
-        seeds = arguments.wide_seeds if slots == 16 and arguments.wide_seeds else arguments.seeds
-        record = {"slots": slots, "date": today, **area.measure(wide_design(slots), seeds, arguments.jobs)}
+        record = {"slots": slots, "date": today, **area.measure(wide_design(slots), arguments.seeds, arguments.jobs)}
         record["samples"] = scans(slots)
         record["clocks"] = statistics.median(sample["clocks"] for sample in record["samples"])
         record["scan_ns"] = round(1000 * record["clocks"] / record["fmax_mhz"]["median"], 1)

@@ -29,7 +29,7 @@ BUILD = tools.BUILD / "cov"
 RESULTS = tools.BUILD / "cov-results"
 EXCLUSIONS = tools.ROOT / "tb" / "coverage" / "exclusions.toml"
 # Counts what retires, which takes no counters of its own: the fast build will do.
-FUNCTIONAL = "coverage/coverage_functional"
+FUNCTIONAL = tools.BUILD / "bin" / "coverage_functional"
 # Folder under tb, program -> what its environment has besides: the long ones first
 PROGRAMS: dict[str, dict[str, str]] = {
     "compiler/unit_compiler": {},
@@ -71,19 +71,18 @@ PROGRAMS: dict[str, dict[str, str]] = {
 }
 
 
-def run(program: str, environment: dict[str, str], build: Path = BUILD) -> float:
+def run(program: Path, environment: dict[str, str]) -> float:
     """Seconds. Raises FlowError if a test of it fails."""
-    folder, name = program.split("/")
-    log = tools.LOGS / f"cov-{name}.log"
+    log = tools.LOGS / f"cov-{program.name}.log"
     start = time.monotonic()
     with open(log, "w", encoding="utf-8") as out:
-        code = subprocess.run([str(build / "tb" / program), "--gtest_brief=1"], cwd=build / "tb" / folder, stdout=out,
+        code = subprocess.run([str(program), "--gtest_brief=1"], cwd=program.parent, stdout=out,
                               stderr=subprocess.STDOUT, check=False,
                               env={**os.environ, **environment, "RUNG_COVERAGE": str(RESULTS)}).returncode
     if code != 0:
-        raise tools.FlowError(f"{name} failed (log: {log})")
+        raise tools.FlowError(f"{program.name} failed (log: {log})")
     seconds = round(time.monotonic() - start, 1)
-    tools.say(f"{name}: {seconds} s")
+    tools.say(f"{program.name}: {seconds} s")
     return seconds
 
 
@@ -94,9 +93,9 @@ def run_all(jobs: int, programs: int) -> None:
     for counts in BUILD.rglob("*.gcda"):
         counts.unlink()
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-        functional = pool.submit(run, FUNCTIONAL, {"RUNG_PROGRAMS": str(programs)}, tools.BUILD / "release")
-        rest = pool.map(run, PROGRAMS, PROGRAMS.values())
-        seconds = {name.split("/")[1]: taken for name, taken in zip([FUNCTIONAL, *PROGRAMS], [functional.result(), *rest])}
+        functional = pool.submit(run, FUNCTIONAL, {"RUNG_PROGRAMS": str(programs)})
+        rest = pool.map(run, (BUILD / "tb" / name for name in PROGRAMS), PROGRAMS.values())
+        seconds = {name.split("/")[-1]: taken for name, taken in zip([str(FUNCTIONAL), *PROGRAMS], [functional.result(), *rest])}
     tools.write_file(RESULTS / "seconds.json", json.dumps(seconds))
 
 

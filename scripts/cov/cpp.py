@@ -21,7 +21,7 @@ def version() -> str:
 def collect(build: Path, target: Path) -> list[dict[str, Any]]:
     """gcovr's files: branches that only an exception takes, and those that cannot be reached, are left out."""
     tools.run([GCOVR, "--root", str(tools.ROOT), "--filter", f"{tools.ROOT}/compiler/", "--exclude-throw-branches",
-               "--exclude-unreachable-branches", "--object-directory", str(build), str(build / "compiler"), str(build),
+               "--exclude-unreachable-branches", "--object-directory", str(build), str(build),
                "--json", str(target)], tools.LOGS / "gcovr.log")
     return json.loads(target.read_text())["files"]
 

@@ -2,6 +2,7 @@
 """Lines, branches and toggles of the hardware, from Verilator's counters (tb/harness/model_coverage.hpp)."""
 from __future__ import annotations
 
+import os
 import re
 from collections import defaultdict
 from dataclasses import dataclass
@@ -33,7 +34,7 @@ def read(files: Iterable[Path]) -> dict[Point, int]:
                 continue
             text, count = line[3:].rsplit("' ", 1)
             keys = dict(pair.split("\2", 1) for pair in text.split("\1") if "\2" in pair)
-            path = Path(keys["f"])
+            path = Path(os.path.normpath(keys["f"]))
             if not path.is_relative_to(tools.ROOT / "hdl"):
                 continue
             kind = keys["page"].split("/")[0].removeprefix("v_")

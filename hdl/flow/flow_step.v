@@ -289,7 +289,7 @@ module flow_step (
     start_q <= 1'b0;
     begun_q <= copying && !copy_done_i;
     case (state_q)
-      IDLE: if (start_i) state_q <= PICK;
+      IDLE: if (start_i && !stop_i) state_q <= PICK;
       PICK: begin
         row_due_q <= 1'b0;
         finish_due_q <= 1'b0;

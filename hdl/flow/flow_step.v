@@ -424,7 +424,8 @@ module flow_step (
       AWAIT_FLAGS: state_q <= peek_waits_i ? AWAIT : STEP;
       default: begin  // ABORT
         state_q <= IDLE;
-        own_q   <= 1'b0;
+        // Nothing of this turn is left for the next round.
+        {row_due_q, finish_due_q, own_q} <= 3'd0;
       end
     endcase
 

@@ -328,6 +328,7 @@ module flow_step (
         state_q <= ends_q || in_place_q ? PICK : FETCH;
         row_due_q <= 1'b1;
       end
+      FETCH: ;  // below
       READ: state_q <= TAKE;
       TAKE: state_q <= ROUTE;
       ROUTE: state_q <= ROUTED;

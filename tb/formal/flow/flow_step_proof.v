@@ -255,7 +255,9 @@ module flow_step_proof (
     // is the same when it is looked at again.
     if (step_read_q && row_phase == LOADS) assume (has_before);
     if (taken_q[1] && turn_q && phase_q == LOADS && !ran_q) assume (linked);
-    if (taken_q[1] && after_known_q && transfer_q == step_after_i) assume (way_i == after_way_q);
+    if (taken_q[1] && after_known_q && transfer_q == step_after_i) begin
+      assume (way_i == after_way_q && exclusive_i == after_alone_q && board_i == after_board_q);
+    end
   end
 
   // ---- the turn -----------------------------------------------------------------------------------------------------
@@ -274,6 +276,8 @@ module flow_step_proof (
   reg wrote_q;
   reg after_known_q;
   reg [1:0] after_way_q;
+  reg after_alone_q, after_held_q, locked_after_q;
+  reg [3:0] after_board_q;
   // Its words are written from the clock behind the start to the one behind the end.
   reg running_q, last_q;
   reg [7:0] answer_q;  // of its last transfer
@@ -335,9 +339,12 @@ module flow_step_proof (
     end
     if (row_write) sent_row_q <= row;
     if (pick) after_known_q <= 1'b0;
-    else if (taken_q[1] && turn_q && transfer_q == step_after_i) begin
+    else if (taken_q[1] && turn_q && transfer_q == step_after_i && !after_known_q) begin
       {after_known_q, after_way_q} <= {1'b1, way_i};
+      {after_alone_q, after_held_q, after_board_q} <= {exclusive_i, held_i, board_i};
     end
+    if (pick) locked_after_q <= 1'b0;
+    else if (lock && (!has_before || !block_take)) locked_after_q <= 1'b1;
     if (!rst_ni || stop_i) {running_q, last_q} <= 2'b00;
     else {running_q, last_q} <= {start || (running_q && !done_i), running_q && done_i};
     if (frees_stored) answer_q <= status_i;
@@ -436,6 +443,17 @@ module flow_step_proof (
       if (stopped_q) begin
         assert (!start && !send && !take && !lock && !copy_start && !copy_put && !row_write);
         assert (!op_valid || (op == `FLOW_OP_FREE && op_free && op_block == own_block_q));
+      end
+
+      // A board that cannot be shared is locked by who takes a block for a step that has it, if nobody holds it.
+      if (lock) begin
+        assert (of_turn && !ran_q && (block_take || (own_q && fresh_q && block == own_block_q)));
+        if (block_take) assert (exclusive_i && !held_i && lock_board == board_i);
+        else assert (after_known_q && after_alone_q && !after_held_q && lock_board == after_board_q);
+      end
+      if (block_take && exclusive_i) assert (lock && lock_board == board_i);
+      if ((start || send || copy_start || copy_put) && fresh_q && !ran_q && has_after) begin
+        assert (after_known_q && (!after_alone_q || locked_after_q));
       end
 
       // What cannot begin has done nothing.
@@ -713,7 +731,7 @@ module flow_step_proof (
           assert (stored_q == (phase_q == STORES) && peek_status_due == (row_i[14] || stored_q));
           if (peek_state != FETCH) assert ((peek_for == FOR_LOAD) == loads);
           if (peek_state == FETCH) assert (stored_q && !own_q && !put_q);
-          if (loads) assert (has_before && own_q && peek_flags_due);
+          if (loads) assert (has_before && own_q && peek_flags_due && !fresh_q);
           else assert (!pauses || peek_state == FETCH);
           if (peek_state < GET || peek_state == SEND) assert (!got_q && !loaded_q && !put_q);
           if (peek_state == GET || peek_state == PUT) assert (!loaded_q && !put_q && has_before);
@@ -776,6 +794,24 @@ module flow_step_proof (
              (routes && peek_for == FOR_STORE)) && has_after && !own_q && !gone_q) begin
           assert (after_known_q && !after_linked);
         end
+        if (routes && peek_for == FOR_AFTER) assert (!after_known_q);
+        if (routes && peek_for == FOR_BEFORE && has_after) begin
+          assert (peek_after_lock == after_alone_q && peek_after_board == after_board_q);
+          assert (peek_after_held == after_held_q);
+        end
+        if (peek_state == LOCK && has_after) begin
+          assert (after_known_q && peek_after_lock == after_alone_q && (!own_q || !after_held_q));
+          assert (peek_after_board == after_board_q && !peek_after_held && (!own_q || fresh_q));
+        end
+        if (!has_after && (before || (early && !awaits)) && !resumed_q) assert (!peek_after_lock);
+        if (early && !resumed_q && !awaits) assert (!peek_after_lock && !peek_after_held);
+        if ((answers || peek_state == FETCH) && !resumed_q) begin
+          assert (!peek_after_lock && !peek_after_held);
+        end
+        if (!has_after && routes && peek_for == FOR_BEFORE) assert (!peek_after_held);
+        if (((before && peek_state > LOCK) || peek_state == RUN) && fresh_q && has_after) begin
+          assert (after_known_q && (!after_alone_q || locked_after_q));
+        end
         // In the routine, and behind it.
         if (ran_q) assert (!paused_q && !failed_q);
         if (peek_state == RUNNING || peek_state == LAST || peek_state == COMMAND || gap || behind) begin
@@ -819,6 +855,73 @@ module flow_step_proof (
         end
       end
     end
+  end
+
+  // ---- clocks of a turn, beside those in which it waits --------------------------------------------------------------------
+  localparam [5:0] MOST = 6'd45;  // behind the one that picks it
+  reg [5:0] clocks_q;
+  reg [5:0] left;  // at most, with this one
+  wire waits = (copies && !copy_done_i) || (peek_state == SEND && sending_i) || awaits ||
+      (peek_state == RUNNING && !done_i) || (peek_state == COMMAND && !command_last_i);
+  always @(posedge clk_i) begin
+    if (look) clocks_q <= 6'd0;
+    else if (!waits) clocks_q <= clocks_q + 6'd1;
+  end
+  always @* begin
+    case (peek_state)
+      PICK: left = {5'd0, peek_finish_due};
+      ROW: left = MOST;
+      STEP: left = row_phase == STORES ? (ran_q ? 6'd4 : 6'd44) : row_phase == LOADS ? 6'd28 : 6'd41;
+      DECIDE: left = phase_q == STORES ? (ran_q ? 6'd3 : 6'd43) : loads ? 6'd27 : 6'd40;
+      ANSWER: left = ran_q ? 6'd2 : 6'd42;
+      STORED: left = ran_q ? 6'd1 : 6'd41;
+      FETCH: left = 6'd40;
+      READ, TAKE, ROUTE, ROUTED: begin
+        case (peek_for)
+          FOR_AFTER: left = 6'd36;
+          FOR_BEFORE: left = 6'd32;
+          FOR_LOAD: left = 6'd23;
+          default: left = 6'd8;
+        endcase
+        left = left + {4'd0, ~peek_state[1:0]};  // READ is 8, ROUTED 11
+      end
+      LOCK: left = 6'd31;
+      GET: left = 6'd23;
+      PUT: left = 6'd22;
+      STATUS: left = 6'd21;
+      SETTLE: left = 6'd20;
+      RUN: left = 6'd19;
+      RUNNING: left = 6'd18;
+      LAST: left = 6'd17;
+      COMMAND: left = 6'd16;
+      GAP1: left = 6'd15;
+      GAP2: left = 6'd14;
+      GAP3: left = 6'd13;
+      GAP4: left = 6'd12;
+      COLLECT: left = 6'd7;
+      GIVE: left = 6'd2;
+      SEND: left = over_q ? 6'd6 : 6'd30;
+      SENT: left = over_q ? 6'd5 : 6'd29;
+      default: left = ran_q ? 6'd4 : 6'd28;
+    endcase
+  end
+  always @* if (begun_q && turn_q) assert ({1'b0, clocks_q} + {1'b0, left} <= {1'b0, MOST});
+
+  // ---- it happens ------------------------------------------------------------------------------------------------------------
+  always @* begin
+    // An answer, and the next step's routine and STORE in the same turn.
+    cover (begun_q && look && turn_q && over_q && wrote_q && !resumed_q && row_i[12:11] == STORES);
+    // In place: data come, the routine runs.
+    cover (begun_q && look && turn_q && over_q && resumed_q && loaded_q);
+    // Own memory, before and behind the routine.
+    cover (begun_q && look && turn_q && loaded_q && gave_q);
+    // It stops its own task, which has a STORE to come.
+    cover (begun_q && look && turn_q && gone_q && has_after && !wrote_q);
+    cover (begun_q && full && has_before && has_after);
+    cover (begun_q && held && !has_before);
+    cover (begun_q && look && paused_q);
+    cover (begun_q && lock && locked_q);
+    cover (begun_q && stopped_q && own_q && fresh_q);
   end
 
 endmodule

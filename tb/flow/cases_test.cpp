@@ -359,6 +359,37 @@ TEST_P(Cases, GivenUpInAnyClock) {
   }
 }
 
+// Nor has the next start anything of the turn that was given up: its task's next step, or its end.
+TEST_P(Cases, GivenUpInAnyClockBeginsAnew) {
+  const int far = program_.add({9, 1, 3, 1, kFirstData});
+  program_.steps = {{{log(100), next(1)}, 0, far},
+                    {{log(101), next(2)}, 0, far},
+                    {{log(102)}, 0, 0},
+                    {{log(103), ends()}, 0, far}};
+  program_.tasks = {{0, true}, {3, true}};
+  // The first round, and the answers that both tasks wait for.
+  const auto first_steps = [this] {
+    Log first = logged();
+    std::sort(first.begin(), first.end());
+    while (!rig_->held().empty()) release();
+    return first;
+  };
+  begin();
+  ASSERT_EQ(first_steps(), (Log{100, 103}));
+  const int clocks = rig_->round().clocks;
+  while (!rig_->held().empty()) release();
+  for (int at = 1; at < clocks; ++at) {
+    rig_->first();
+    rig_->idle(110);
+    ASSERT_EQ(first_steps(), (Log{100, 103})) << "before clock " << at;
+    rig_->round(at);
+    while (!rig_->held().empty()) release();
+    rig_->first();
+    rig_->idle(110);
+    ASSERT_EQ(first_steps(), (Log{100, 103})) << "given up in clock " << at;
+  }
+}
+
 TEST_P(Cases, CountersAndOthersRegisters) {
   program_.ladder = {set(20, 1)};
   alike(2, 0, 0);

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Turns of tasks (hdl/flow/flow_step.v), any row, step, transfers, routine and answers. A turn is of the task that was picked, and no other's
-// row or flags are touched, but by the starts and stops that its routine has written. Its routine runs once, with the entry and the
-// end of the step in the task's row, behind all that stands before it: never at a breakpoint, nor before its words are there, which
-// are copied only if their status is `done`; what stands behind it is sent or written afterwards, unless the routine has
-// stopped its task. A turn that cannot have its block or board has done nothing. A block is taken only if one is offered, and belongs to the turn until it is
-// freed or goes out with a request, once; boards are locked with it. One request at most is under way. A turn has a bounded number
-// of clocks beside those in which it waits. What flow_tasks_proof and flow_locks_proof assume of it is asserted here.
+// Turns of tasks (hdl/flow/flow_step.v), any row, step, transfers, routine and answers. A turn is of the task that was picked, and no
+// other's row or flags are touched, but by the starts and stops that its routine has written. Its routine runs once, with the entry
+// and the end of the step in the task's row, behind all that stands before it: never at a breakpoint, nor before its words are there,
+// which are copied only if their status is `done`; what stands behind it is sent or written afterwards, unless the routine has
+// stopped its task. A turn that cannot have its block or board has done nothing. A block is taken only if one is offered, and
+// belongs to the turn until it is freed or goes out with a request, once; boards are locked with it. One request at most is under
+// way. A turn has a bounded number of clocks beside those in which it waits. What flow_tasks_proof, flow_ready_proof and
+// flow_locks_proof assume of it is asserted here.
 `default_nettype none
 `include "rung_flow.vh"
 `include "flow_ops.vh"
@@ -260,6 +261,17 @@ module flow_step_proof (
     end
   end
 
+`ifdef RUNG_NARROW
+  always @* begin
+    assume (rst_ni == begun_q && next_i <= 7'd2 && row_i[22:16] == 7'd0 && row_i[10:2] == 9'd1);
+    assume (step_entry_i == {5'd0, row_i[10:0]} && step_end_i == 16'h1234);
+    assume (step_before_i <= 8'd1 && (step_after_i == 8'd0 || step_after_i == 8'd2));
+    assume (status_i <= 8'd1 && wrote_step_i[10:2] == 9'd1 && command_i[6:0] <= 7'd2);
+    assume (task_block_i == 5'd3 && peek_block_i[4:1] == 4'd1 && board_i <= 4'd1);
+    assume (copy_done_i == copying_q && !sending_i && command_last_i && done_i);
+  end
+`endif
+
   // ---- the turn -----------------------------------------------------------------------------------------------------
   reg ran_q;  // its routine was started,
   reg over_q;  // has ended
@@ -449,7 +461,10 @@ module flow_step_proof (
       if (lock) begin
         assert (of_turn && !ran_q && (block_take || (own_q && fresh_q && block == own_block_q)));
         if (block_take) assert (exclusive_i && !held_i && lock_board == board_i);
-        else assert (after_known_q && after_alone_q && !after_held_q && lock_board == after_board_q);
+        else begin
+          assert (after_known_q && after_alone_q && !after_held_q);
+          assert (lock_board == after_board_q);
+        end
       end
       if (block_take && exclusive_i) assert (lock && lock_board == board_i);
       if ((start || send || copy_start || copy_put) && fresh_q && !ran_q && has_after) begin
@@ -579,7 +594,7 @@ module flow_step_proof (
   wire early = (peek_state >= ROW && peek_state <= DECIDE) || awaits;
   wire answers = peek_state == ANSWER || peek_state == STORED;
   // to the routine, and in it.
-  wire before = peek_state == FETCH || (routes && peek_for != FOR_STORE) || peek_state == LOCK ||
+  wire ahead = peek_state == FETCH || (routes && peek_for != FOR_STORE) || peek_state == LOCK ||
       peek_state == GET || peek_state == PUT || peek_state == STATUS || peek_state == SETTLE ||
       (peek_state == SEND && peek_for != FOR_STORE);
   wire behind = (routes && peek_for == FOR_STORE) || peek_state == COLLECT || peek_state == GIVE ||
@@ -653,7 +668,7 @@ module flow_step_proof (
         if (!early || peek_state == DECIDE) assert (phase_q != 2'd3);
         if (peek_state == STEP || peek_state == DECIDE) assert (row_phase != 2'd3);
         // Where it stands.
-        if (before || peek_state == RUN) assert (!ran_q && !paused_q && !failed_q && !gone_q);
+        if (ahead || peek_state == RUN) assert (!ran_q && !paused_q && !failed_q && !gone_q);
         if (behind) assert (over_q && !gone_q && has_after);
         if (behind && peek_state != READ) assert (transfer_q == step_after_i);
         if (gap || peek_state == COMMAND) assert (over_q);
@@ -711,21 +726,23 @@ module flow_step_proof (
             row_phase == LOADS) begin
           assert (has_before);
         end
-        if (peek_state == DECIDE) assert (peek_status == row_i[22:15] && peek_status_due == row_i[14]);
-        if (peek_state == DECIDE) assert (peek_has_i == (row_phase != FETCHES));
+        if (peek_state == DECIDE) begin
+          assert ({peek_status, peek_status_due} == row_i[22:14]);
+          assert (peek_has_i == (row_phase != FETCHES));
+        end
         if (answers) begin
           assert (phase_q == STORES && ran_q == wrote_q && ran_q == over_q && has_q && !gone_q);
           assert (ran_q == resumed_q && !paused_q && !failed_q && !stored_q && sent_q == ran_q);
           if (!ran_q) assert (!got_q && !put_q && !loaded_q && !collected_q && !gave_q);
           if (!ran_q) assert (!after_known_q);
         end
-        if (answers || before || peek_state == RUN) assert (peek_in_place == resumed_q);
+        if (answers || ahead || peek_state == RUN) assert (peek_in_place == resumed_q);
         if (early) assert (peek_in_place == (resumed_q || waiting_q));
         if (peek_state == DECIDE || answers) begin
           assert (next_q == row_i[10:0] && ends_q == row_i[13]);
         end
         // Up to the routine.
-        if (before || peek_state == RUN) begin
+        if (ahead || peek_state == RUN) begin
           assert (!ends_q && !wrote_q && !collected_q && !gave_q && next_q == row_i[10:0]);
           assert (sent_q == resumed_q && (!sent_q || loads) && has_q == loads);
           assert (stored_q == (phase_q == STORES) && peek_status_due == (row_i[14] || stored_q));
@@ -751,14 +768,14 @@ module flow_step_proof (
           if (peek_state == RUN) assert (put_q == (has_before || peek_status_due));
           if (peek_state == STATUS) assert (has_before || peek_status_due);
         end
-        if (early || answers || before || behind || (peek_state >= RUN && peek_state <= LAST)) begin
+        if (early || answers || ahead || behind || (peek_state >= RUN && peek_state <= LAST)) begin
           assert (!peek_finish_due);
         end
         if ((peek_state == COMMAND || gap) && has_after && !gone_q) assert (!peek_finish_due);
         if (early) assert (!peek_row_due);
-        if (before || peek_state == RUN) assert (peek_row_due == stored_q);
+        if (ahead || peek_state == RUN) assert (peek_row_due == stored_q);
         // Its status.
-        if (peek_state == FETCH || (before && !has_before) || (routes && peek_for[1] == 1'b0)) begin
+        if (peek_state == FETCH || (ahead && !has_before) || (routes && peek_for[1] == 1'b0)) begin
           assert (peek_status == (stored_q ? answer_q : row_i[22:15]));
         end
         if (peek_state == STATUS && has_before) begin
@@ -790,7 +807,7 @@ module flow_step_proof (
           if (!resumed_q) assert (!peek_after_link && !after_known_q);
         end
         if (answers && !resumed_q) assert (!peek_after_link);
-        if (((before && peek_state >= LOCK) || (peek_state >= RUN && peek_state <= GAP4) ||
+        if (((ahead && peek_state >= LOCK) || (peek_state >= RUN && peek_state <= GAP4) ||
              (routes && peek_for == FOR_STORE)) && has_after && !own_q && !gone_q) begin
           assert (after_known_q && !after_linked);
         end
@@ -803,18 +820,18 @@ module flow_step_proof (
           assert (after_known_q && peek_after_lock == after_alone_q && (!own_q || !after_held_q));
           assert (peek_after_board == after_board_q && !peek_after_held && (!own_q || fresh_q));
         end
-        if (!has_after && (before || (early && !awaits)) && !resumed_q) assert (!peek_after_lock);
+        if (!has_after && (ahead || (early && !awaits)) && !resumed_q) assert (!peek_after_lock);
         if (early && !resumed_q && !awaits) assert (!peek_after_lock && !peek_after_held);
         if ((answers || peek_state == FETCH) && !resumed_q) begin
           assert (!peek_after_lock && !peek_after_held);
         end
         if (!has_after && routes && peek_for == FOR_BEFORE) assert (!peek_after_held);
-        if (((before && peek_state > LOCK) || peek_state == RUN) && fresh_q && has_after) begin
+        if (((ahead && peek_state > LOCK) || peek_state == RUN) && fresh_q && has_after) begin
           assert (after_known_q && (!after_alone_q || locked_after_q));
         end
         // In the routine, and behind it.
         if (ran_q) assert (!paused_q && !failed_q);
-        if (peek_state == RUNNING || peek_state == LAST || peek_state == COMMAND || gap || behind) begin
+        if ((peek_state >= RUNNING && peek_state <= GAP4) || behind) begin
           assert (!has_q && !wrote_q && !gave_q && ran_q && sent_q == resumed_q);
           if (peek_state == COLLECT || peek_state == GIVE) assert (peek_for == FOR_STORE);
           if (peek_state != COLLECT && peek_state != GIVE && peek_state != SEND) begin
@@ -871,7 +888,9 @@ module flow_step_proof (
     case (peek_state)
       PICK: left = {5'd0, peek_finish_due};
       ROW: left = MOST;
-      STEP: left = row_phase == STORES ? (ran_q ? 6'd4 : 6'd44) : row_phase == LOADS ? 6'd28 : 6'd41;
+      STEP: begin
+        left = row_phase == STORES ? (ran_q ? 6'd4 : 6'd44) : row_phase == LOADS ? 6'd28 : 6'd41;
+      end
       DECIDE: left = phase_q == STORES ? (ran_q ? 6'd3 : 6'd43) : loads ? 6'd27 : 6'd40;
       ANSWER: left = ran_q ? 6'd2 : 6'd42;
       STORED: left = ran_q ? 6'd1 : 6'd41;

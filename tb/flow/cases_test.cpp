@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "flow/rig.hpp"
@@ -137,6 +138,36 @@ TEST_P(Cases, ABoardThatCannotBeSharedIsHeldUntilTheStepEnds) {
   // It is free when the task has seen the answer: the next one to ask gets it.
   logged();
   EXPECT_EQ(rig_->held().size(), 1U);
+}
+
+// Tasks that do nothing but write, answered in each round: none keeps the others from board or
+// blocks.
+TEST_P(Cases, WhoGivesABlockBackGivesWay) {
+  const int far = program_.add({9, 1, 3, 1, kFirstData});
+  const int alone = program_.add({kUnit, kAlone, 3, 1, kFirstData});
+  for (const auto& [count, board] : {std::pair{3, alone}, std::pair{40, far}}) {
+    alike(count, 0, board);
+    begin();
+    std::map<int, int> turns;
+    for (int n = 0; n < 36; ++n) {
+      for (const int value : logged()) ++turns[value];
+      while (!rig_->held().empty()) release();
+    }
+    for (int n = 0; n < count; ++n) EXPECT_GE(turns[100 + n], 5) << n << " of " << count;
+  }
+  // An event command that wants the board of the only one that has it.
+  alike(1, 0, alone);
+  begin();
+  logged();
+  rig_->send({false, kAlone, 0, 1, 7, 1, {}});
+  rig_->drain();
+  std::size_t replies = 0;
+  for (int n = 0; n < 6; ++n) {
+    while (!rig_->held().empty()) release();
+    logged();
+    replies += round_.replies.size();
+  }
+  EXPECT_EQ(replies, 1U);
 }
 
 TEST_P(Cases, AStoppedTasksDataVanish) {

@@ -16,6 +16,7 @@ module flow_step_proof (
     input wire        rst_ni,
     input wire        start_i,
     input wire        stop_i,
+    input wire        command_held_i,
     input wire        found_i,
     input wire        around_i,
     input wire [ 6:0] next_i,
@@ -76,7 +77,10 @@ module flow_step_proof (
     input wire [15:0] peek_entry,
     input wire [15:0] peek_end,
     input wire        peek_start,
-    input wire        peek_flags_due
+    input wire        peek_flags_due,
+    input wire        peek_answered,
+    input wire        peek_short,
+    input wire        peek_short_before
 );
 
   localparam [1:0] FETCHES = 2'd0;
@@ -103,6 +107,7 @@ module flow_step_proof (
       .done_o            (done),
       .busy_o            (busy),
       .in_place_i        (in_place),
+      .command_held_i    (command_held_i),
       .found_i           (found_i),
       .around_i          (around_i),
       .next_i            (next_i),
@@ -286,6 +291,7 @@ module flow_step_proof (
   reg ends_q;
   reg resumed_q;  // in place
   reg wrote_q;
+  reg lacks_q, lacked_q;
   reg after_known_q;
   reg [1:0] after_way_q;
   reg after_alone_q, after_held_q, locked_after_q;
@@ -350,6 +356,9 @@ module flow_step_proof (
       if ((running_q || last_q) && wrote_next_i) {next_q, ends_q} <= {wrote_step_i, wrote_end_i};
     end
     if (row_write) sent_row_q <= row;
+    if (!rst_ni) {lacks_q, lacked_q} <= 2'b00;
+    else if (start_i) {lacked_q, lacks_q} <= {lacks_q, 1'b0};
+    else if (command_held_i || held || (full && !task_block_valid_i)) lacks_q <= 1'b1;
     if (pick) after_known_q <= 1'b0;
     else if (taken_q[1] && turn_q && transfer_q == step_after_i && !after_known_q) begin
       {after_known_q, after_way_q} <= {1'b1, way_i};
@@ -471,11 +480,15 @@ module flow_step_proof (
         assert (after_known_q && (!after_alone_q || locked_after_q));
       end
 
+      // Who has given a block back in this turn takes none while somebody has lacked one, or a board, since the last round's turns.
+      if (block_take) assert (!(stored_q && (lacks_q || lacked_q)));
+      // And nobody fails without a reason.
+      if (full) assert (!task_block_valid_i || (stored_q && (lacks_q || lacked_q)));
+
       // What cannot begin has done nothing.
       if (full || held) begin
         assert (of_turn && !ran_q && !sent_q && !own_q && !copying_q && !got_q && !put_q);
         assert (!block_take && !lock && !(full && held));
-        if (full) assert (!task_block_valid_i);
       end
       if (failed_q || paused_q) begin
         assert (!start && !copy_start && !copy_put && !send && !lock && !block_take);
@@ -636,6 +649,7 @@ module flow_step_proof (
         if (quiet_q == 4'hf) assert (!acted[3]);
       end
       if (peek_own) assert (peek_its_block == own_block_q);
+      assert (peek_short == lacks_q && peek_short_before == lacked_q);
       if (stopped_q && own_q && fresh_q) assert (peek_own);
       if (turn_q) begin
         assert (peek_gone == gone_q && peek_behind == (over_q && peek_state != LAST));
@@ -774,6 +788,9 @@ module flow_step_proof (
         if ((peek_state == COMMAND || gap) && has_after && !gone_q) assert (!peek_finish_due);
         if (early) assert (!peek_row_due);
         if (ahead || peek_state == RUN) assert (peek_row_due == stored_q);
+        if (peek_state == FETCH || (routes && !peek_for[1])) assert (peek_answered == stored_q);
+        if (early && !awaits && !resumed_q) assert (!peek_answered);
+        if (answers && !resumed_q) assert (!peek_answered);
         // Its status.
         if (peek_state == FETCH || (ahead && !has_before) || (routes && peek_for[1] == 1'b0)) begin
           assert (peek_status == (stored_q ? answer_q : row_i[22:15]));
@@ -938,6 +955,7 @@ module flow_step_proof (
     cover (begun_q && look && turn_q && gone_q && has_after && !wrote_q);
     cover (begun_q && full && has_before && has_after);
     cover (begun_q && held && !has_before);
+    cover (begun_q && full && stored_q && task_block_valid_i);
     cover (begun_q && look && paused_q);
     cover (begun_q && lock && locked_q);
     cover (begun_q && stopped_q && own_q && fresh_q);

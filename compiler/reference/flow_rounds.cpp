@@ -42,6 +42,7 @@ void FlowRounds::begin_round() {
   first_ = tasks_.empty() ? 0 : (began_ + 1) % tasks_.size();
   passed_ = 0;
   any_turn_ = false;
+  short_before_ = std::exchange(short_, false);
 }
 
 std::optional<std::size_t> FlowRounds::turn() {
@@ -140,7 +141,8 @@ void FlowRounds::take_turn(std::size_t task) {
     row.words.clear();
     return run_step(task);
   }
-  if (row.state == FlowState::Store) {
+  const bool answered = row.state == FlowState::Store;
+  if (answered) {
     free_block(task);
     row.state = FlowState::Fetch;
     row.step = row.next;
@@ -149,10 +151,10 @@ void FlowRounds::take_turn(std::size_t task) {
       return;
     }
   }
-  fetch(task);
+  fetch(task, answered);
 }
 
-void FlowRounds::fetch(std::size_t task) {
+void FlowRounds::fetch(std::size_t task, bool answered) {
   TaskRow& row = tasks_[task];
   if ((breaks_[row.step] || row.asked) && !row.passes) {
     row.paused = true;
@@ -160,7 +162,7 @@ void FlowRounds::fetch(std::size_t task) {
     return;
   }
   const Step& step = chart_.steps[row.step];
-  if (!can_begin(step)) return;
+  if (!can_begin(step, answered)) return;
   row.passes = false;
   if (way(step.read) == Way::Line || way(step.write) == Way::Line) {
     --free_blocks_;
@@ -189,7 +191,7 @@ void FlowRounds::fetch(std::size_t task) {
   run_step(task);
 }
 
-bool FlowRounds::can_begin(const Step& step) {
+bool FlowRounds::can_begin(const Step& step, bool answered) {
   for (const auto& transfer : {step.read, step.write}) {
     if (!transfer || !chart_.boards[transfer->board].exclusive) continue;
     const std::size_t board = transfer->board;
@@ -200,10 +202,13 @@ bool FlowRounds::can_begin(const Step& step) {
                       });
     if (!held) continue;
     ++counters_.held;
+    short_ = true;
     return false;
   }
   const bool needs_block = way(step.read) == Way::Line || way(step.write) == Way::Line;
-  if (!needs_block || free_blocks_ > 0) return true;
+  const bool gives_way = answered && (short_ || short_before_);
+  if (!needs_block || (free_blocks_ > 0 && !gives_way)) return true;
+  if (free_blocks_ == 0) short_ = true;
   ++counters_.pool_full;
   return false;
 }

@@ -106,9 +106,10 @@ class FlowRounds {
 
   bool is_ready(std::size_t task) const;
   void take_turn(std::size_t task);
-  void fetch(std::size_t task);
+  // `answered`: behind the answer to its step before, in the same turn.
+  void fetch(std::size_t task, bool answered);
   // Nothing is left of a step that cannot begin.
-  bool can_begin(const flowchart::Step& step);
+  bool can_begin(const flowchart::Step& step, bool answered);
   void run_step(std::size_t task);
   // What its routine has written to the words that speak to the tasks; false if it stopped itself.
   bool obey(std::size_t task);
@@ -137,6 +138,8 @@ class FlowRounds {
   std::map<std::size_t, std::size_t> holders_;       // of exclusive boards: task, by board
   std::map<int, std::vector<std::size_t>> orphans_;  // boards that a request of nobody still holds
   int free_blocks_;
+  bool short_ = false;         // a step lacked a block or board in this round,
+  bool short_before_ = false;  // in the one before
   int last_request_ = 0;
   std::size_t began_;       // the task that began the last round
   std::size_t first_ = 0;   // where this one begins

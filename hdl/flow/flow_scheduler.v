@@ -351,6 +351,7 @@ module flow_scheduler #(
       .done_o            (steps_done),
       .busy_o            (steps_busy),
       .in_place_i        (enable[1]),
+      .command_held_i    (command_held),
       .found_i           (found),
       .around_i          (around),
       .next_i            (next),

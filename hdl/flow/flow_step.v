@@ -16,6 +16,7 @@ module flow_step (
     output wire        busy_o,
     // setup
     input  wire        in_place_i,           // wait in the turn
+    input  wire        command_held_i,       // a command found its board held
     // next task
     input  wire        found_i,
     input  wire        around_i,
@@ -168,6 +169,9 @@ module flow_step (
   reg [15:0] end_q;
   reg start_q;
   reg flags_due_q;  // breakpoint or block to be taken
+  reg answered_q;  // the turn began with the answer to a STORE
+  reg short_q;  // somebody had no block or board, since the round's turns began
+  reg short_before_q;  // or in the round before
 
   // ---- FETCH -------------------------------------------------------------------------------------
   wire fetch = (state_q == DECIDE && phase_q == PHASE_FETCH) || state_q == FETCH;
@@ -182,7 +186,9 @@ module flow_step (
   wire needs_block = (check && linked) || after_link;
   wire blocked = (check && held_i) || after_held;
   wire checks = check || check_alone;
-  wire begins = checks && !blocked && (!needs_block || task_block_valid_i);
+  // Who has just given back a block and takes one again would be the only one to have it for ever.
+  wire gives_way = answered_q && (short_q || short_before_q);
+  wire begins = checks && !blocked && (!needs_block || (task_block_valid_i && !gives_way));
   wire fails = checks && !begins;
   wire waits_in_place = in_place_i || !gives_up_i;
 
@@ -289,7 +295,7 @@ module flow_step (
     start_q <= 1'b0;
     begun_q <= copying && !copy_done_i;
     case (state_q)
-      IDLE: if (start_i) state_q <= PICK;
+      IDLE: if (start_i && !stop_i) state_q <= PICK;
       PICK: begin
         row_due_q <= 1'b0;
         finish_due_q <= 1'b0;
@@ -301,6 +307,7 @@ module flow_step (
           after_link_q <= 1'b0;
           after_held_q <= 1'b0;
           after_lock_q <= 1'b0;
+          answered_q <= 1'b0;
         end
       end
       ROW: state_q <= STEP;
@@ -327,7 +334,9 @@ module flow_step (
         flags_due_q <= peek_skip_i;
         state_q <= ends_q || in_place_q ? PICK : FETCH;
         row_due_q <= 1'b1;
+        answered_q <= 1'b1;
       end
+      FETCH: ;  // below
       READ: state_q <= TAKE;
       TAKE: state_q <= ROUTE;
       ROUTE: state_q <= ROUTED;
@@ -424,7 +433,8 @@ module flow_step (
       AWAIT_FLAGS: state_q <= peek_waits_i ? AWAIT : STEP;
       default: begin  // ABORT
         state_q <= IDLE;
-        own_q   <= 1'b0;
+        // Nothing of this turn is left for the next round.
+        {row_due_q, finish_due_q, own_q} <= 3'd0;
       end
     endcase
 
@@ -440,6 +450,12 @@ module flow_step (
       ends_q <= wrote_end_i;
     end
 
+    if (state_q == IDLE && start_i) begin
+      {short_before_q, short_q} <= {short_q, 1'b0};
+    end else if (command_held_i || (fails && (blocked || !task_block_valid_i))) begin
+      short_q <= 1'b1;
+    end
+
     if (stop_i && state_q != IDLE) begin
       state_q <= ABORT;
       start_q <= 1'b0;
@@ -448,6 +464,7 @@ module flow_step (
       state_q <= IDLE;
       start_q <= 1'b0;
       {row_due_q, finish_due_q, own_q} <= 3'd0;
+      {short_q, short_before_q} <= 2'd0;
     end
   end
 

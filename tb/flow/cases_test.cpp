@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "flow/rig.hpp"
@@ -137,6 +138,36 @@ TEST_P(Cases, ABoardThatCannotBeSharedIsHeldUntilTheStepEnds) {
   // It is free when the task has seen the answer: the next one to ask gets it.
   logged();
   EXPECT_EQ(rig_->held().size(), 1U);
+}
+
+// Tasks that do nothing but write, answered in each round: none keeps the others from board or
+// blocks.
+TEST_P(Cases, WhoGivesABlockBackGivesWay) {
+  const int far = program_.add({9, 1, 3, 1, kFirstData});
+  const int alone = program_.add({kUnit, kAlone, 3, 1, kFirstData});
+  for (const auto& [count, board] : {std::pair{3, alone}, std::pair{40, far}}) {
+    alike(count, 0, board);
+    begin();
+    std::map<int, int> turns;
+    for (int n = 0; n < 36; ++n) {
+      for (const int value : logged()) ++turns[value];
+      while (!rig_->held().empty()) release();
+    }
+    for (int n = 0; n < count; ++n) EXPECT_GE(turns[100 + n], 5) << n << " of " << count;
+  }
+  // An event command that wants the board of the only one that has it.
+  alike(1, 0, alone);
+  begin();
+  logged();
+  rig_->send({false, kAlone, 0, 1, 7, 1, {}});
+  rig_->drain();
+  std::size_t replies = 0;
+  for (int n = 0; n < 6; ++n) {
+    while (!rig_->held().empty()) release();
+    logged();
+    replies += round_.replies.size();
+  }
+  EXPECT_EQ(replies, 1U);
 }
 
 TEST_P(Cases, AStoppedTasksDataVanish) {
@@ -356,6 +387,37 @@ TEST_P(Cases, GivenUpInAnyClock) {
         1);
     ASSERT_EQ(given_up.replies.size() + round.replies.size(), 1U) << at;
     while (!rig_->held().empty()) release(1);
+  }
+}
+
+// Nor has the next start anything of the turn that was given up: its task's next step, or its end.
+TEST_P(Cases, GivenUpInAnyClockBeginsAnew) {
+  const int far = program_.add({9, 1, 3, 1, kFirstData});
+  program_.steps = {{{log(100), next(1)}, 0, far},
+                    {{log(101), next(2)}, 0, far},
+                    {{log(102)}, 0, 0},
+                    {{log(103), ends()}, 0, far}};
+  program_.tasks = {{0, true}, {3, true}};
+  // The first round, and the answers that both tasks wait for.
+  const auto first_steps = [this] {
+    Log first = logged();
+    std::sort(first.begin(), first.end());
+    while (!rig_->held().empty()) release();
+    return first;
+  };
+  begin();
+  ASSERT_EQ(first_steps(), (Log{100, 103}));
+  const int clocks = rig_->round().clocks;
+  while (!rig_->held().empty()) release();
+  for (int at = 1; at < clocks; ++at) {
+    rig_->first();
+    rig_->idle(110);
+    ASSERT_EQ(first_steps(), (Log{100, 103})) << "before clock " << at;
+    rig_->round(at);
+    while (!rig_->held().empty()) release();
+    rig_->first();
+    rig_->idle(110);
+    ASSERT_EQ(first_steps(), (Log{100, 103})) << "given up in clock " << at;
   }
 }
 

@@ -145,6 +145,8 @@ Expected Model::round() {
   }
 
   // A task that a step starts has its turn in this round if that has not yet passed.
+  short_before_ = short_;
+  short_ = false;
   const int first = (began_ + 1) % rung::flow::flow_tasks;
   bool began = false;
   for (int i = 0; i < rung::flow::flow_tasks; ++i) {
@@ -165,12 +167,13 @@ Expected Model::round() {
 void Model::turn(int task) {
   Row& row = rows_[static_cast<std::size_t>(task)];
   if (row.phase == 1) return loaded(task);
-  if (row.phase == 2) {
+  const bool answered = row.phase == 2;
+  if (answered) {
     stored(task);
     if (!row.started) return;
   }
   std::optional<int> block;
-  if (fetch(task, block)) run(task, block);
+  if (fetch(task, block, answered)) run(task, block);
 }
 
 // The data of a LOAD have come.
@@ -203,7 +206,7 @@ void Model::stored(int task) {
   if (row.ends) row.stop();
 }
 
-bool Model::fetch(int task, std::optional<int>& block) {
+bool Model::fetch(int task, std::optional<int>& block, bool answered) {
   Row& row = rows_[static_cast<std::size_t>(task)];
   const Step& step = program_.steps[static_cast<std::size_t>(row.step)];
   row.shown = row.step;
@@ -221,10 +224,13 @@ bool Model::fetch(int task, std::optional<int>& block) {
   const bool needs = (step.before != 0 && linked(before)) || (step.after != 0 && linked(after));
   if (held) {
     ++counters.held;
+    short_ = true;
     return false;
   }
-  if (needs && free_blocks_.empty()) {
+  // Who has just given back its block gives way.
+  if (needs && (free_blocks_.empty() || (answered && (short_ || short_before_)))) {
     ++counters.full;
+    if (free_blocks_.empty()) short_ = true;
     return false;
   }
   if (needs) {
@@ -363,6 +369,7 @@ void Model::pc_command() {
   if (pc.state == 1) {
     if (blocked(pc.transfer)) {
       ++counters.held;
+      short_ = true;
       return;
     }
     status = command(pc.transfer, pc.write, kBlock);
@@ -389,6 +396,7 @@ void Model::event_command(Command command) {
     if (command.came) status = statuses_.at(command.block);
   } else if (blocked(t)) {
     ++counters.held;
+    short_ = true;
   } else {
     status = this->command(t, event.write, command.block);
     command.waits = !status;

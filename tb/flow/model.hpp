@@ -101,7 +101,8 @@ class Model {
 
   void turn(int task);
   // True if the step's routine can run in this turn, false if the turn is over.
-  bool fetch(int task, std::optional<int>& block);
+  // `answered`: behind the answer to a STORE, in the same turn.
+  bool fetch(int task, std::optional<int>& block, bool answered);
   void run(int task, std::optional<int> block);
   void loaded(int task);
   void stored(int task);
@@ -118,6 +119,9 @@ class Model {
   std::deque<Command> ring_;
   std::map<int, int> statuses_;  // of blocks whose data have come
   int began_ = rung::flow::flow_tasks - 1;
+  // Somebody had no block or board since the turns of this round began, or of the one before.
+  bool short_ = false;
+  bool short_before_ = false;
   Expected now_;
 };
 

@@ -112,8 +112,9 @@ module flow_locks_proof (
   reg [4:0] holder_q;
   reg locking_q;  // it was locked in the clock before
   wire locks = lock_i && lock_board_i == watched;
-  // A lock is taken by one who has seen that the board is free; his block is not given back in that clock.
-  always @* assume (!locks || (!held_q && !locking_q));
+  // A lock is taken by one who has seen that the board is free, or in two clocks, if both of his transfers have that board; his
+  // block is not given back in that clock.
+  always @* assume (!locks || (!held_q && !locking_q) || (locking_q && lock_block_i == holder_q));
   always @*
     assume (!free_valid_i || !(lock_i || lock_before_q) ||
                     (free_block_i != lock_block_i && free_block_i != lock_block_q));
@@ -123,7 +124,7 @@ module flow_locks_proof (
   always @(posedge clk_i) begin
     lock_before_q <= begun_q && lock_i;
     lock_block_q <= lock_block_i;
-    locking_q <= begun_q && locks;
+    locking_q <= begun_q && locks && !held_q;
     if (!begun_q) held_q <= 1'b0;
     else if (locks) held_q <= 1'b1;
     else if (held_q && free_valid_i && free_block_i == holder_q) held_q <= 1'b0;
@@ -215,7 +216,9 @@ module flow_locks_proof (
       assert (\route.lock_q == lock_before_q);
       if (lock_before_q) assert (\route.lock_block_q == lock_block_q);
       if (locking_q) assert (\route.lock_q && \route.lock_board_q == watched);
-      if (lock_before_q && \route.lock_board_q == watched) assert (locking_q);
+      if (lock_before_q && \route.lock_board_q == watched) begin
+        assert (held_q && holder_q == lock_block_q);
+      end
       if (locking_q) assert (held_q && holder_q == lock_block_q);
       for (k = 0; k < 16; k = k + 1) begin
         if (k[3:0] == watched) begin

@@ -70,8 +70,6 @@ module flow_ready_proof (
   end
   always @* begin
     assume (!op_valid_i || op_task_i < TASKS);
-    // Only a turn, or what goes on between rounds, takes a ready bit away.
-    if (unready && round_q) assume (turn_q && !looks);
   end
 
   // ---- any task ------------------------------------------------------------------------------------------
@@ -103,6 +101,21 @@ module flow_ready_proof (
     else if (begins) last_q <= began_by_q;
     if (!begun_q) began_by_q <= TASKS - 7'd1;
     else if (picks && !began_q) began_by_q <= next;
+  end
+
+  reg ended_q;  // a turn ended in the clock before, this task's
+  reg [6:0] ended_task_q;
+  always @(posedge clk_i) begin
+    ended_q <= begun_q && looks && turn_q;
+    ended_task_q <= last_q;
+  end
+  always @* begin
+    // Only a turn, or what goes on between rounds, takes a ready bit away; that of its own task may come in the clock
+    // that looks for the next one, or the one behind it (flow_step).
+    if (unready && round_q) begin
+      assume ((turn_q && !looks) || (turn_q && looks && op_task_i == last_q) ||
+              (ended_q && op_task_i == ended_task_q));
+    end
   end
 
   // How far behind the round's beginning a task stands.

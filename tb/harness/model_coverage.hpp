@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What Verilator counts of lines, branches and toggles, added up over all models of a program: each
 // instance and each set of parameters of a module is the same module. Written to the
-// folder that the environment's RUNG_COVERAGE names, in Verilator's own format (`make cov`), when the
-// program ends. In any other build nothing is counted.
+// folder that the environment's RUNG_COVERAGE names, in Verilator's own format (`make cov`), when
+// the program ends. In any other build nothing is counted.
 #pragma once
 
 #include <verilated.h>

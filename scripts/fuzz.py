@@ -135,12 +135,13 @@ def write(report: dict[str, Any]) -> None:
             "|---|---|--:|--:|--:|--:|--:|--:|---|"]
     faults = []
     for name, at in READERS.items():
+        found = faults_of(name)
+        faults += [f"- {name}: {fault['what']} {fault['mended']}" for fault in found]
         row = report["readers"].get(name)
         if row is None:
-            rows.append(f"| {name} | {at['what']} | 0 | | | | | | never |")
+            rows.append(f"| {name} | {at['what']} | 0 | | | | | {len(found) or ''} | never |")
             continue
-        row["faults"] = faults_of(name)
-        faults += [f"- {name}: {fault['what']} {fault['mended']}" for fault in row["faults"]]
+        row["faults"] = found
         rows.append(f"| {name} | {row['what']} | {row['cpu_seconds']} | {row['inputs']:,} | {row['edges']:,} | "
                     f"{row['corpus_inputs']} | {row['corpus_bytes']:,} | {row['faults_found']} | {row['last_run']} |")
     total = sum(row["cpu_seconds"] for row in report["readers"].values())

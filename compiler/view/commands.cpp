@@ -29,6 +29,16 @@ std::int16_t value_of(const json& value) {
   return static_cast<std::int16_t>(number);
 }
 
+// All numbers are whole, and not beyond what an integer holds.
+void need_whole_numbers(const json& command) {
+  for (const auto& [key, value] : command.items()) {
+    const bool beyond =
+        value.is_number_unsigned() &&
+        value.get<std::uint64_t>() > std::uint64_t{std::numeric_limits<std::int64_t>::max()};
+    if (value.is_number_float() || beyond) throw bad(fmt::format("{} is no whole number", key));
+  }
+}
+
 void set_mode(Run& run, const std::string& mode) {
   if (mode == "paused") return run.set_mode(Mode::Paused);
   if (mode == "real") return run.set_mode(Mode::RealTime);
@@ -60,13 +70,14 @@ void set_breakpoint(Run& run, const json& command) {
 void obey(Run& run, const json& command) {
   constexpr int kMostSteps = 100'000;
   try {
+    need_whole_numbers(command);
     const auto what = command.at("do").get<std::string>();
     if (what == "mode") {
       set_mode(run, command.at("mode").get<std::string>());
     } else if (what == "step") {
-      const int scans = command.value("scans", 1);
+      const auto scans = command.value("scans", std::int64_t{1});
       if (scans < 1 || scans > kMostSteps) throw bad("1 to 100000 scans");
-      run.step(scans);
+      run.step(static_cast<int>(scans));
     } else if (what == "set") {
       run.set(device_of(run, command), value_of(command.at("value")));
     } else if (what == "toggle") {

@@ -376,7 +376,7 @@ test('only this machine, and only this page, is answered', async () => {
   assert.equal((await post({'Content-Type': 'application/json'})).status, 200);
   assert.equal((await post({'Content-Type': 'text/plain'})).status, 415);
   assert.equal((await post({'Content-Type': 'application/json', Origin: 'http://example.com'})).status, 403);
-  for (const body of ['', '{}', '[]', '{"do":"set","device":-1,"value":1}', '{"do":"set","device":1e9,"value":1}', '{"do":"step","scans":-3}',
+  for (const body of ['', '{}', '[]', '{"do":"set","device":-1,"value":1}', '{"do":"set","device":1e9,"value":1}', '{"do":"step","scans":-3}', '{"do":"set","device":4e21,"value":1}',
     '{"do":"restart","engine":"x"}', '{"do":"set","device":0,"value":70000}', '{"do":"order","order":"run"}']) {
     const answer = await request(view, 'api/command', {method: 'POST', headers: {'Content-Type': 'application/json'}, body});
     assert.equal(answer.status, 400, body);
